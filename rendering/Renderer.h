@@ -1,76 +1,25 @@
 #pragma once
-// The chain of passes from a scene and a camera to a picture. Re-runs only what depends on something that changed.
+// From a scene and a camera to a picture. Runs only what depends on something that has changed. rendering/README.md
+// says how.
 
 #include <array>
 #include <cstdint>
 #include <memory>
 #include <optional>
-#include <string_view>
 #include <vector>
 
+#include "rendering/Layers.h"
+#include "rendering/PickedPlace.h"
 #include "rendering/scene/BrushStroke.h"
 #include "rendering/scene/Scene.h"
 #include "rendering/scene/View.h"
+#include "rendering/stages/Pass.h"
 
 namespace fenestra {
 
 class GpuScene;
-struct PassChain;
-
-enum class Pass : std::uint8_t {
-  HitPoints,
-  Importance,
-  PullPush,
-  Cones,
-  DistanceMap,
-  EditMap,
-  RayStart,
-  Occlusion,
-  FocusLayer,
-  FaintLayer,
-  ProtectedLayer,
-  ContextLayer,
-  Lens,
-  Walls,
-  Composite,
-  Exempt,
-  Edges,
-  EdgeRays
-};
-inline constexpr std::size_t passCount = 18;
-std::string_view nameOf(Pass pass);
-
-/// Row-major from the top of the picture; t in mm along the pixel's ray (see Camera), NaN where there is nothing.
-struct Layers {
-  glm::ivec2 size{0};
-  /// tFocus: with several levels of importance, of what the ray is opened to; see rendering/scene/Importance.h.
-  std::vector<float> tContext, tFocus, tFocusFilled, tStart;
-  std::vector<float> distance;            ///< px, 0 inside the focus projection (the opening, where cones cut
-                                          ///< it), +inf beyond w_open + w_border
-  std::vector<glm::vec2> edits;           ///< of brush strokes: EditMapPass's output
-  std::vector<glm::vec4> focusLayer;      ///< premultiplied RGBA
-  std::vector<glm::vec4> faintLayer;      ///< premultiplied RGBA of all that is removed, before it is made faint
-  std::vector<glm::vec4> protectedLayer;  ///< premultiplied RGBA, in front of the focus layer
-  std::vector<glm::vec4> contextLayer;    ///< κ1, κ2 (1/mm), illumination, value (real units)
-  /// Of the context's first surface, where a lens reads it: its normal along the view's right, up and forward, 0 where
-  /// there is none; mm to the lens's middle, NaN where there is no surface before the focus.
-  std::vector<glm::vec4> lens;
-  std::vector<glm::vec4> walls;  ///< premultiplied RGBA of slices that stand as walls, before they are laid
-  std::vector<glm::vec4> final;  ///< premultiplied RGBA
-};
-
-struct PassStats {
-  std::uint64_t runs = 0;     ///< since the renderer was made
-  std::uint64_t pixels = 0;   ///< shaded by the last run: under a changed brush stroke only, or the whole picture
-  double milliseconds = 0.0;  ///< GPU time of the last run; 0 until timing is on
-};
 
 /// Needs a current OpenGL 4.5 context in every call, always the same one or one that shares with it. Move-only.
-/// A place of the volume, world, and the unit direction there of a ray that meets it.
-struct PickedPlace {
-  glm::dvec3 place, ray;
-};
-
 class Renderer {
  public:
   /// `gpuScene` may be shared by several renderers whose contexts share objects: voxels are uploaded once.
@@ -82,10 +31,10 @@ class Renderer {
   /// Makes the picture. Nothing runs for an unchanged scene and view; where only strokes changed, what depends on them
   /// runs for the pixels under them, with the result of a run for all.
   void render(const Scene& scene, const View& view);
-  /// The same a little at a time: starts the picture, and goes on with it for about so many milliseconds, at least one
-  /// tile; true when it is done. The picture is the same bit for bit. A picture begun before another is done drops it.
-  /// Until a picture is done the last one is shown and read, as far as it is not overwritten. Where a driver compiles a
-  /// program or voxels are uploaded, a step takes longer.
+  /// Makes it a little at a time, with the same bits: starts the picture, and goes on with it for about so many
+  /// milliseconds, at least one tile; true when it is done. A picture begun before another is done drops it. Until a
+  /// picture is done the last one is shown and read, as far as it is not overwritten. Where a driver compiles a program
+  /// or voxels are uploaded, a step takes longer.
   void begin(const Scene& scene, const View& view);
   bool advance(double milliseconds);
   /// A picture was begun and is not done.
@@ -97,8 +46,8 @@ class Renderer {
   /// x, y (from the bottom left), width, height; smoothly where that enlarges it. Restores the state it changes.
   void present(std::uint32_t framebuffer, glm::ivec4 rectangle);
 
-  /// The same, read back: as many pixels as a rectangle of that size has, each blue, green, red, alpha in 8 bits, row
-  /// by row from the top. Empty where there is no picture.
+  /// Reads back what present() draws: as many pixels as a rectangle of that size has, each blue, green, red, alpha in 8
+  /// bits, row by row from the top. Empty where there is no picture.
   std::vector<std::uint8_t> readPresented(glm::ivec2 size);
 
   /// The last picture, 8-bit RGBA, premultiplied, row by row from the top.
@@ -106,8 +55,8 @@ class Renderer {
   /// Every stage of the last picture. Stages that the scene does not use come back empty.
   Layers readLayers();
 
-  /// Of the camera that cuts the opening (View::frozen), in a picture of its own size: where its rays meet context and
-  /// focus and where they start, tContext, tFocus and tStart.
+  /// The camera that cuts the opening (View::frozen), and in a picture of its own size where its rays meet context and
+  /// focus and where they start: tContext, tFocus and tStart.
   struct Opening {
     Camera camera;
     Layers starts;
@@ -119,7 +68,7 @@ class Renderer {
   /// In an exploded view, the position is that in the volume; empty also in the hollow that the focus leaves.
   /// Where a layer is peeled off, it is that in the volume, too.
   std::optional<glm::dvec3> pick(glm::dvec2 pixel);
-  /// The same, and how the ray goes on in the volume from there.
+  /// That place, and how the ray goes on in the volume from there.
   std::optional<PickedPlace> pickPlace(glm::dvec2 pixel);
   bool movesContext() const;  ///< the last picture is an exploded view, or a layer is peeled off
   /// Where the last picture shows a world position: in an exploded view where its part is, but for what is in focus or
@@ -142,7 +91,8 @@ class Renderer {
   std::size_t imageBytes() const;
 
  private:
-  std::unique_ptr<PassChain> chain_;
+  struct Parts;
+  std::unique_ptr<Parts> parts_;
 };
 
 }  // namespace fenestra

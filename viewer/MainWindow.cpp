@@ -1,12 +1,10 @@
 #include "viewer/MainWindow.h"
 
-#include <algorithm>
 #include <memory>
 
 #include <QApplication>
 #include <QCloseEvent>
 #include <QDragEnterEvent>
-#include <QMenu>
 #include <QPainter>
 #include <QScreen>
 #include <QStackedWidget>
@@ -16,23 +14,23 @@
 
 #include "rendering/gpu/FocusIndex.h"
 #include "rendering/segmentation/Table.h"
-#include "viewer/Actions.h"
 #include "viewer/DockHeights.h"
-#include "viewer/Exports.h"
-#include "viewer/FileOpener.h"
-#include "viewer/Guide.h"
-#include "viewer/LoadingBar.h"
-#include "viewer/MeasureMenu.h"
-#include "viewer/NoticeBar.h"
-#include "viewer/PictureExports.h"
-#include "viewer/SegmentationMenu.h"
-#include "viewer/Sessions.h"
-#include "viewer/StatusBar.h"
-#include "viewer/StructureMenu.h"
-#include "viewer/Tour.h"
+#include "viewer/StudyNotices.h"
 #include "viewer/UndoKeys.h"
-#include "viewer/Verification.h"
-#include "viewer/WelcomePage.h"
+#include "viewer/actions/Actions.h"
+#include "viewer/actions/MeasureMenu.h"
+#include "viewer/actions/StructureMenu.h"
+#include "viewer/bars/LoadingBar.h"
+#include "viewer/bars/NoticeBar.h"
+#include "viewer/bars/StatusBar.h"
+#include "viewer/exports/Exports.h"
+#include "viewer/exports/PictureExports.h"
+#include "viewer/exports/Verification.h"
+#include "viewer/files/FileOpener.h"
+#include "viewer/files/Sessions.h"
+#include "viewer/guide/Guide.h"
+#include "viewer/guide/Tour.h"
+#include "viewer/guide/WelcomePage.h"
 #include "viewer/model/CamerasChange.h"
 #include "viewer/model/PatientLines.h"
 #include "viewer/panels/AppearancePanel.h"
@@ -52,20 +50,9 @@
 namespace fenestra::viewer {
 namespace {
 
-constexpr int layoutVersion = 4;  ///< of the docks and toolbars; a saved layout of another version is not restored
+constexpr int layoutVersion = 4;  ///< of docks and toolbars; layouts saved with another version are ignored
 
-constexpr int recognisedMilliseconds = 10000;  ///< that the status bar shows a remark
-
-QString describe(const io::SeriesInfo& series) {
-  return QStringLiteral("%1 %2×%3×%4")
-      .arg(QString::fromStdString(series.modality))
-      .arg(series.dims.x)
-      .arg(series.dims.y)
-      .arg(series.dims.z)
-      .trimmed();
-}
-
-/// What a study needs of its voxels, while it is read in the background.
+/// Adds what the window derives from the voxels. Runs in the background, after the study was read.
 void prepare(io::Study& study) {
   SetScene& scene = study.scene;
   if (!scene.table) {
@@ -93,9 +80,7 @@ MainWindow::MainWindow(const Setup& setup, QWidget* parent)
   setDockOptions(AnimatedDocks | AllowNestedDocks | AllowTabbedDocks);
 
   connectModels();  // before the views connect, so that the models are up to date when a view draws
-  views_ = new ViewArea(workspace_.document, workspace_.cursor, workspace_.cameras, workspace_.options,
-                        workspace_.brush, workspace_.carving, workspace_.selection, workspace_.measuring, gl_,
-                        setup.atRest.value_or(workspace_.preferences.atRest()), setup.chooseSchedule);
+  views_ = new ViewArea(workspace_, gl_, setup.atRest.value_or(workspace_.preferences.atRest()), setup.chooseSchedule);
   views_->warmUp(setup.expected);
   notices_ = new NoticeBar;
   sessions_ = new Sessions(*this, workspace_, loader_, *notices_,
@@ -106,6 +91,7 @@ MainWindow::MainWindow(const Setup& setup, QWidget* parent)
   pictures_ = new PictureExports(*this, workspace_.document, *views_, *notices_);
   verification_ = new Verification(*this, workspace_.document, *views_, *notices_,
                                    [this] { return sessions_->controller().session(); });
+  studyNotices_ = new StudyNotices(*this, workspace_, loader_, *files_, *sessions_, *notices_);
   setCentralWidget(makeCentre());
   panels_ = makePanels(*this, workspace_);
   guide_ = new Guide(*this);
@@ -113,8 +99,7 @@ MainWindow::MainWindow(const Setup& setup, QWidget* parent)
   actions_ = new Actions({*this, workspace_, loader_, grower_, *files_, *exports_, *pictures_, *verification_,
                           *sessions_, *views_, gl_, [this] { resetLayout(); }, *panels_.cutaway, *guide_, *tour_});
   setStatusBar(new StatusBar(workspace_.document, *views_, gl_));
-  // Not above the pictures: they would be drawn anew in another size with each click.
-  // Also what waits for a job that is stopping.
+  // Below the pictures: a bar above them would resize them, and each click would draw them again.
   statusBar()->addPermanentWidget(
       new LoadingBar(grower_.job(), tr("Growing the region"), [this] { grower_.cancel(); }));
   statusBar()->addPermanentWidget(new LoadingBar(labelEditor_.job(), tr("Editing the label")));
@@ -132,7 +117,7 @@ MainWindow::MainWindow(const Setup& setup, QWidget* parent)
   restoreLayout();
 }
 
-// Widgets that are hidden lay out and read what they show: while the document is there, not when QWidget ends.
+// Hiding makes widgets lay out and read the document: do so while the document exists, not in ~QWidget().
 MainWindow::~MainWindow() { hide(); }
 
 QWidget* MainWindow::makeCentre() {
@@ -155,25 +140,6 @@ QWidget* MainWindow::makeCentre() {
 
 void MainWindow::connectModels() {
   connect(&workspace_.document, &Document::volumeChanged, this, &MainWindow::followVolume);
-  // The left button does one thing at a time.
-  Brush& brush = workspace_.brush;
-  Carving& carving = workspace_.carving;
-  SelectionBrush& selection = workspace_.selection;
-  connect(&brush, &Brush::activeChanged, this, [&carving, &selection](bool active) {
-    if (!active) return;
-    carving.setActive(false);
-    selection.setActive(false);
-  });
-  connect(&carving, &Carving::activeChanged, this, [&brush, &selection](bool active) {
-    if (!active) return;
-    brush.setActive(false);
-    selection.setActive(false);
-  });
-  connect(&selection, &SelectionBrush::activeChanged, this, [&brush, &carving](bool active) {
-    if (!active) return;
-    brush.setActive(false);
-    carving.setActive(false);
-  });
   connect(&workspace_.placement, &PlacementController::leaving, this, [this] {
     workspace_.document.history().push(tr("Place cameras"), std::make_shared<CamerasChange>(workspace_.cameras));
   });
@@ -318,58 +284,9 @@ void MainWindow::studyOpened() {
   sessions_->studyShown();
   const std::filesystem::path& path = study.sessionFile.empty() ? study.session.volume.path : study.sessionFile;
   if (!path.empty()) workspace_.preferences.addRecent(path);
-  if (!study.otherSeries.empty() && !study.restoresSession)
-    notices_->add(NoticeBar::Kind::Warning,
-                  study.series.times > 1
-                      ? tr("There are %n time points here; this is number %1.", nullptr, study.series.times)
-                            .arg(study.series.time)
-                      : tr("There are %n series here; this is the largest, %1.", nullptr,
-                           static_cast<int>(study.otherSeries.size()) + 1)
-                            .arg(describe(study.series)),
-                  {{tr("Choose…"), [this] { files_->chooseSeries(); }}});
-  offerSegmentations();
-  std::vector<io::Warning> warnings = study.warnings;
-  if (study.geometry) {
-    const std::vector<io::Warning>& findings = study.geometry->findings;
-    std::erase_if(warnings, [&](const io::Warning& warning) {
-      return std::find(findings.begin(), findings.end(), warning) != findings.end();
-    });
-    notices_->addGeometry(*study.geometry, [this](io::Regularise choice) { sessions_->regularise(choice); });
-  }
-  // Nothing is odd about what was recognised: no notice takes room of the pictures for it.
-  for (const io::Warning& warning : warnings)
-    if (warning.kind == io::Warning::Kind::Recognised)
-      statusBar()->showMessage(QString::fromStdString(warning.text), recognisedMilliseconds);
-  std::erase_if(warnings, [](const auto& warning) { return warning.kind == io::Warning::Kind::Recognised; });
-  notices_->addWarnings(warnings);
+  studyNotices_->show();
   if (study.placed) workspace_.placement.placeAutomatically();
   Q_EMIT opened();
-}
-
-void MainWindow::offerSegmentations() {
-  const io::Study& study = workspace_.document.study();
-  if (study.segmentations.empty() || workspace_.document.labels()) return;
-  if (study.segmentations.size() == 1) {
-    const io::SegmentationInfo& only = study.segmentations.front();
-    const QString text = tr("A segmentation of this series lies beside it: %1.");
-    notices_->add(NoticeBar::Kind::Warning, text.arg(titleOf(only, SegmentationTitle::Full)),
-                  {{tr("Open"), [this, file = only.file] { loader_.openLabels(file); }}},
-                  text.arg(titleOf(only, SegmentationTitle::Nameless)));
-    return;
-  }
-  notices_->add(
-      NoticeBar::Kind::Warning,
-      tr("%n segmentations of this series lie beside it.", nullptr, static_cast<int>(study.segmentations.size())),
-      {{tr("Choose…"), [this] {
-          // From the event loop: the notice may be gone while the menu is open.
-          QTimer::singleShot(0, this, [this] {
-            QMenu menu;
-            fillSegmentationMenu(
-                menu, workspace_.document.study().segmentations,
-                workspace_.options.hidesPatient() ? SegmentationTitle::Nameless : SegmentationTitle::Full, loader_);
-            menu.exec(QCursor::pos());
-          });
-        }}});
 }
 
 void MainWindow::showError(const QString& message) { notices_->add(NoticeBar::Kind::Error, message); }
@@ -413,7 +330,7 @@ QImage MainWindow::picture(Patient patient) {
     return without;
   }
   QPixmap pixmap = grab();
-  // grab() paints the marks of an OpenGL widget first and its picture over them.
+  // grab() paints an OpenGL widget's picture over its marks, so the 3-D views are painted again.
   QPainter painter(&pixmap);
   for (VolumeView* view : views_->volumeViews())
     if (view->isVisible()) painter.drawImage(view->mapTo(this, QPoint(0, 0)), view->grabSurface());

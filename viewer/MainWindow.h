@@ -12,10 +12,11 @@
 #include "viewer/jobs/LabelEditor.h"
 #include "viewer/jobs/RegionGrower.h"
 #include "viewer/jobs/StudyLoader.h"
+#include "viewer/model/FramePacer.h"
 #include "viewer/model/PreviewBackend.h"
 #include "viewer/model/Workspace.h"
+#include "viewer/views/ChooseSchedule.h"
 #include "viewer/views/GlSupport.h"
-#include "viewer/views/VolumeView.h"
 
 class QStackedWidget;
 
@@ -29,6 +30,7 @@ class NoticeBar;
 class PictureExports;
 class Verification;
 class Sessions;
+class StudyNotices;
 class Tour;
 class ViewArea;
 class WelcomePage;
@@ -38,10 +40,10 @@ class MainWindow : public QMainWindow {
  public:
   struct Setup {
     GlSupport gl;
-    std::optional<Effort> atRest = {};  ///< of the 3-D views when nothing moves; unset: as remembered
-    Focus expected = {};                ///< the kind of focus that the first study is likely to have
-    ScenePreparation::ChooseSchedule chooseSchedule = {};  ///< unset: by the renderer's name
-    bool remember = true;                                  ///< restore and save layout, recent files and `atRest`
+    std::optional<Effort> atRest = {};   ///< how 3-D views are drawn at rest; unset: as remembered
+    Focus expected = {};                 ///< the kind of focus that the first study is likely to have
+    ChooseSchedule chooseSchedule = {};  ///< unset: the renderer's name decides
+    bool remember = true;                ///< restore and save layout, recent files and `atRest`
   };
 
   explicit MainWindow(const Setup& setup, QWidget* parent = nullptr);
@@ -49,7 +51,7 @@ class MainWindow : public QMainWindow {
 
   /// Reads a study and shows it. The open study stays until then.
   void open(StudyLoader::Reader read);
-  /// As FileOpener.
+  /// See FileOpener::open().
   void open(const std::vector<std::filesystem::path>& paths);
   void openLabels(const std::filesystem::path& path);
   /// An entry in the File menu and on the welcome page for data that comes with the program. The guided tour takes the
@@ -93,15 +95,13 @@ class MainWindow : public QMainWindow {
   void connectPanels();
   void connectLoader();
   void restoreLayout();
-  /// Panels and views as they are when the program runs for the first time.
   void applyPreference(Preference which);
+  /// Lays panels and views out as on the program's first run.
   void resetLayout();
   /// Moves crosshair and cameras to a new volume, before any view draws it.
   void followVolume();
   void studyOpened();
   void showError(const QString& message);
-  /// Says which segmentations lie beside the series, with a way to open one.
-  void offerSegmentations();
   /// Moves the crosshair to the centre of the focus once another thread has found it.
   void goToFocus();
   /// Nothing is being read, measured or drawn.
@@ -112,13 +112,14 @@ class MainWindow : public QMainWindow {
   StudyLoader loader_;
   RegionGrower grower_{workspace_.document};
   LabelEditor labelEditor_{workspace_.document};
-  LoadJob focusSearch_;  ///< of goToFocus()
+  LoadJob focusSearch_;  ///< runs for goToFocus()
 
   ViewArea* views_;
-  std::unique_ptr<PreviewBackend> previews_;  ///< goes before the views that it draws with
+  std::unique_ptr<PreviewBackend> previews_;  ///< draws with a view, and is destroyed before it
   NoticeBar* notices_;
   Sessions* sessions_;
   FileOpener* files_;
+  StudyNotices* studyNotices_;
   Exports* exports_;
   PictureExports* pictures_;
   Verification* verification_;
@@ -128,7 +129,7 @@ class MainWindow : public QMainWindow {
   Panels panels_;
   Guide* guide_;
   Actions* actions_;
-  QByteArray firstState_, firstViews_;  ///< of resetLayout()
+  QByteArray firstState_, firstViews_;  ///< the layout that resetLayout() restores
 };
 
 }  // namespace fenestra::viewer

@@ -15,7 +15,7 @@ bool UndoKeys::eventFilter(QObject* watched, QEvent* event) {
   const auto* key = static_cast<QKeyEvent*>(event);
   if (!key->matches(QKeySequence::Undo) && !key->matches(QKeySequence::Redo))
     return QObject::eventFilter(watched, event);
-  event->ignore();  // of the override: the key is the menu's
+  event->ignore();  // the box does not claim the key, so the menu gets it
   return true;
 }
 

@@ -9,7 +9,7 @@ namespace fenestra::viewer {
 class UndoKeys : public QObject {
   Q_OBJECT
  public:
-  /// For the whole application.
+  /// Filters the events of the whole application.
   explicit UndoKeys(QObject* parent);
 
   bool eventFilter(QObject* watched, QEvent* event) override;

@@ -20,8 +20,8 @@
 #include "io/study/Interpret.h"
 #include "io/study/ReadStudy.h"
 #include "viewer/MainWindow.h"
-#include "viewer/Sessions.h"
-#include "viewer/Tour.h"
+#include "viewer/files/Sessions.h"
+#include "viewer/guide/Tour.h"
 #include "viewer/style/Style.h"
 
 namespace fenestra::viewer {

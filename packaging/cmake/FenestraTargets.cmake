@@ -1,10 +1,52 @@
 # Helpers every folder's CMakeLists uses: one way to declare a library, one way to embed files.
 
-# fenestra_library(NAME SOURCES... [PUBLIC libs...] [PRIVATE libs...] [FOR_MODULES])
+set(FENESTRA_CMAKE_FOLDER "${CMAKE_CURRENT_LIST_DIR}")
+set(FENESTRA_PRECOMPILED "${FENESTRA_CMAKE_FOLDER}/precompiled")
+if(FENESTRA_ASSERTIONS)
+  add_compile_options(-UNDEBUG)  # after the -DNDEBUG of Release
+endif()
+find_program(FENESTRA_MOLD mold)
+if(FENESTRA_MOLD AND NOT FENESTRA_SANITIZE AND NOT FENESTRA_FUZZ)
+  add_link_options(-fuse-ld=mold)  # a program of ours in a tenth of the time that GNU ld takes
+endif()
+
+# fenestra_precompile(TARGET HEADER|TARGET_WITH_IT): headers of FENESTRA_PRECOMPILED, or those of a target of the same
+# flags, are read once instead of once a file.
+function(fenestra_precompile TARGET HEADERS)
+  if(NOT FENESTRA_PRECOMPILE)
+    return()
+  endif()
+  if(TARGET ${HEADERS})
+    target_precompile_headers(${TARGET} REUSE_FROM ${HEADERS})
+  else()
+    target_precompile_headers(${TARGET} PRIVATE "${FENESTRA_PRECOMPILED}/${HEADERS}")
+  endif()
+  if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+    # ccache needs the first. GCC 12 loses places in precompiled headers, and then reports false array bounds.
+    target_compile_options(${TARGET} PRIVATE -fpch-preprocess -Wno-array-bounds -Wno-stringop-overflow
+                           -Wno-stringop-overread)
+  endif()
+endfunction()
+
+# fenestra_precompiled(TARGET HEADER [libs...]): an empty library that holds precompiled headers for others to reuse.
+function(fenestra_precompiled TARGET HEADER)
+  if(NOT FENESTRA_PRECOMPILE)
+    return()
+  endif()
+  file(CONFIGURE OUTPUT "${CMAKE_CURRENT_BINARY_DIR}/${TARGET}.cpp" CONTENT "")
+  add_library(${TARGET} OBJECT "${CMAKE_CURRENT_BINARY_DIR}/${TARGET}.cpp")
+  target_include_directories(${TARGET} PRIVATE "${PROJECT_SOURCE_DIR}")
+  target_compile_definitions(${TARGET} PRIVATE ${FENESTRA_GLM_DEFINITIONS})
+  target_link_libraries(${TARGET} PRIVATE ${ARGN})
+  fenestra_own_code(${TARGET})
+  fenestra_precompile(${TARGET} ${HEADER})
+endfunction()
+
+# fenestra_library(NAME SOURCES... [PUBLIC libs...] [PRIVATE libs...] [PRECOMPILED header] [FOR_MODULES])
 # A static library `fenestra_NAME`, alias `fenestra::NAME`, with the project's warnings as errors and the repository root
-# as its only include directory. FOR_MODULES: modules link it, too.
+# as its only include directory. PRECOMPILED: in place of Standard.h. FOR_MODULES: modules link it, too.
 function(fenestra_library NAME)
-  cmake_parse_arguments(ARG "FOR_MODULES" "" "SOURCES;PUBLIC;PRIVATE" ${ARGN})
+  cmake_parse_arguments(ARG "FOR_MODULES" "PRECOMPILED" "SOURCES;PUBLIC;PRIVATE" ${ARGN})
   set(target fenestra_${NAME})
   add_library(${target} STATIC ${ARG_SOURCES})
   add_library(fenestra::${NAME} ALIAS ${target})
@@ -13,8 +55,13 @@ function(fenestra_library NAME)
   fenestra_own_code(${target})
   if(ARG_FOR_MODULES)
     set_target_properties(${target} PROPERTIES POSITION_INDEPENDENT_CODE ON)
-    # Nobody replaces our functions: calls among them stay as fast as in a program.
+    # No other module replaces our functions at load time, so calls among them are as fast as in a program.
     target_compile_options(${target} PRIVATE -fno-semantic-interposition)
+    fenestra_precompile(${target} Standard.h)
+  elseif(ARG_PRECOMPILED)
+    fenestra_precompile(${target} ${ARG_PRECOMPILED})
+  else()
+    fenestra_precompile(${target} fenestra_standard)
   endif()
 endfunction()
 
@@ -24,7 +71,7 @@ function(fenestra_own_code TARGET)
   target_compile_options(${TARGET} PRIVATE -Wall -Wextra -Wpedantic -Wshadow -Werror)
   if(FENESTRA_SANITIZE)
     if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
-      # With sanitizers GCC 12 calls parts of std::regex and std::optional uninitialised that are not (GCC bug 105562).
+      # With sanitizers GCC 12 reports initialised parts of std::regex and std::optional as uninitialised (GCC bug 105562).
       target_compile_options(${TARGET} PRIVATE -Wno-maybe-uninitialized)
     endif()
     target_compile_options(${TARGET} PUBLIC -fsanitize=address,undefined -fno-sanitize-recover=undefined -fno-omit-frame-pointer)
@@ -56,29 +103,55 @@ function(fenestra_embed NAME)
   target_compile_features(fenestra_${NAME} PUBLIC cxx_std_20)
 endfunction()
 
-# fenestra_test(NAME SOURCES... LIBS libs... [LABEL label] [EXHAUSTIVE cases...])
-# A GoogleTest executable whose cases ctest lists one by one. The cases of EXHAUSTIVE, in the words of GoogleTest's filter,
-# have the label `exhaustive` and ten minutes in place of two: `packaging/test` runs them only where it is asked for all.
-function(fenestra_test NAME)
-  cmake_parse_arguments(ARG "" "LABEL" "SOURCES;LIBS;EXHAUSTIVE" ${ARGN})
+# fenestra_test_program(NAME SOURCES... LIBS libs... [PRECOMPILED header])
+# An executable of tests. Optimised less than the libraries that it tests, because its own code runs briefly.
+function(fenestra_test_program NAME)
+  cmake_parse_arguments(ARG "" "PRECOMPILED" "SOURCES;LIBS" ${ARGN})
   add_executable(${NAME} ${ARG_SOURCES})
   target_link_libraries(${NAME} PRIVATE ${ARG_LIBS} fenestra_test_support)
   fenestra_own_code(${NAME})
-  set(filter)
-  if(ARG_EXHAUSTIVE)
-    list(JOIN ARG_EXHAUSTIVE ":" exhaustive)
-    fenestra_discover(${NAME} ${NAME}_exhaustive "${exhaustive}" 600 exhaustive)
-    set(filter "-${exhaustive}")
+  target_compile_options(${NAME} PRIVATE $<$<CONFIG:Release>:-O1>)
+  if(ARG_PRECOMPILED)
+    fenestra_precompile(${NAME} ${ARG_PRECOMPILED})
+  else()
+    fenestra_precompile(${NAME} fenestra_tests_standard)
   endif()
-  fenestra_discover(${NAME} ${NAME}_cases "${filter}" 120 ${ARG_LABEL})
 endfunction()
 
-# fenestra_discover(NAME LIST FILTER TIMEOUT [LABEL]): the cases of an executable that the filter lets pass.
-function(fenestra_discover NAME LIST FILTER TIMEOUT)
-  # Answers and compiled shaders are kept in the build folder, not in the user's home.
-  set(properties TIMEOUT ${TIMEOUT} ENVIRONMENT "XDG_CACHE_HOME=${PROJECT_BINARY_DIR}/cache")
-  if(ARGN)
-    list(APPEND properties LABELS ${ARGN})
-  endif()
-  gtest_discover_tests(${NAME} TEST_FILTER "${FILTER}" TEST_LIST ${LIST} DISCOVERY_TIMEOUT 60 PROPERTIES ${properties})
+# fenestra_test(NAME SOURCES... LIBS libs... [PRECOMPILED header] [LABEL label] [EXHAUSTIVE cases...])
+# A GoogleTest executable whose suites ctest lists one by one; the cases of a suite share a process, and so an OpenGL
+# context. The cases of EXHAUSTIVE, in the words of GoogleTest's filter, are tests of their own with the label
+# `exhaustive`: `packaging/test` runs them only where it is asked for all.
+function(fenestra_test NAME)
+  cmake_parse_arguments(ARG "" "PRECOMPILED;LABEL" "SOURCES;LIBS;EXHAUSTIVE" ${ARGN})
+  fenestra_test_program(${NAME} SOURCES ${ARG_SOURCES} LIBS ${ARG_LIBS} PRECOMPILED ${ARG_PRECOMPILED})
+  fenestra_suites(${NAME} LABELS ${ARG_LABEL} EXHAUSTIVE ${ARG_EXHAUSTIVE})
+endfunction()
+
+# fenestra_suites(NAME [PREFIX prefix] [LABELS labels...] [ONLY suites...] [EXCEPT suites...] [EXHAUSTIVE cases...]
+#                 [ENVIRONMENT variables...])
+# One ctest test a suite of an executable, found by running it after each link: PREFIX + SUITE, for all suites or ONLY
+# those named. Answers and compiled shaders are kept in the build folder, not in the user's home.
+function(fenestra_suites NAME)
+  cmake_parse_arguments(ARG "" "PREFIX" "LABELS;ONLY;EXCEPT;EXHAUSTIVE;ENVIRONMENT" ${ARGN})
+  set(list "${CMAKE_CURRENT_BINARY_DIR}/${ARG_PREFIX}${NAME}_suites.cmake")
+  set(parameters "-DPROGRAM=$<TARGET_FILE:${NAME}>" "-DLIST=${list}" "-DPREFIX=${ARG_PREFIX}")
+  foreach(part LABELS ONLY EXCEPT EXHAUSTIVE)
+    list(JOIN ARG_${part} ":" joined)
+    list(APPEND parameters "-D${part}=${joined}")
+  endforeach()
+  list(JOIN ARG_ENVIRONMENT "|" joined)
+  list(APPEND parameters "-DENVIRONMENT=${joined}|XDG_CACHE_HOME=${PROJECT_BINARY_DIR}/cache")
+  add_custom_command(TARGET ${NAME} POST_BUILD
+    COMMAND ${CMAKE_COMMAND} ${parameters} -P "${FENESTRA_CMAKE_FOLDER}/Suites.cmake"
+    BYPRODUCTS "${list}" VERBATIM)
+  # The tests of a program that is not built fail; they are not passed over.
+  file(CONFIGURE OUTPUT "${list}.in" @ONLY CONTENT [[
+if(EXISTS "@list@")
+  include("@list@")
+else()
+  add_test("@ARG_PREFIX@@NAME@_is_not_built" "@NAME@ is not built")
+endif()
+]])
+  set_property(DIRECTORY APPEND PROPERTY TEST_INCLUDE_FILES "${list}.in")
 endfunction()

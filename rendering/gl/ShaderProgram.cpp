@@ -3,14 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cassert>
-#include <cctype>
-#include <sstream>
 #include <string>
 #include <utility>
 
 #include <epoxy/gl.h>
-
-#include "fenestra/shaders.h"
 
 namespace fenestra::gl {
 namespace {
@@ -22,54 +18,7 @@ ShaderProgram::Listener& listener() {
 
 thread_local std::size_t programsRun = 0;
 
-/// The file that an include line names, or an empty view for any other line.
-std::string_view includedFile(std::string_view line, const Variant& variant, std::string_view path) {
-  constexpr std::string_view include = "#include ";
-  if (!line.starts_with(include)) return {};
-  const std::string_view name = line.substr(include.size() + 1, line.find_last_of("\">") - include.size() - 1);
-  if (line[include.size()] == '"') return name;
-  const auto choice = std::ranges::find(variant.choices, name, &Choice::name);
-  if (choice == variant.choices.end())
-    throw ShaderError("shader " + std::string(path) + " needs a choice of <" + std::string(name) + ">");
-  return choice->file;
-}
-
-/// Appends the file with its includes; line directives carry an index into `files`, which errors are translated with.
-void expand(std::string_view path, const Variant& variant, std::vector<std::string>& files, std::ostringstream& out) {
-  if (std::ranges::find(files, path) != files.end()) return;
-  const std::string_view source = shaders::find(path);
-  if (source.empty()) throw ShaderError("no embedded shader '" + std::string(path) + "'");
-  const std::size_t file = files.size();
-  files.emplace_back(path);
-  out << "#line 1 " << file << '\n';
-  std::istringstream lines{std::string(source)};
-  std::string line;
-  for (int number = 1; std::getline(lines, line); ++number) {
-    if (const std::string_view included = includedFile(line, variant, path); !included.empty()) {
-      expand(included, variant, files, out);
-      out << "#line " << number + 1 << ' ' << file << '\n';
-    } else {
-      out << line << '\n';
-    }
-  }
-}
-
-struct Source {
-  std::string text;
-  std::vector<std::string> files;
-};
-
-Source sourceOf(std::string_view path, const Variant& variant) {
-  std::ostringstream out;
-  Source source;
-  out << "#version 450 core\n";
-  for (const Define& define : variant.defines) out << "#define " << define.name << ' ' << define.value << '\n';
-  expand(path, variant, source.files, out);
-  source.text = out.str();
-  return source;
-}
-
-GLuint compile(GLenum stage, std::string_view path, const Source& source) {
+GLuint compile(GLenum stage, std::string_view path, const ShaderSource& source) {
   const GLuint shader = glCreateShader(stage);
   const char* text = source.text.c_str();
   glShaderSource(shader, 1, &text, nullptr);
@@ -151,7 +100,7 @@ void makeWritesVisible() {
 ShaderProgram ShaderProgram::compute(std::string_view path, const Variant& variant) {
   ShaderProgram program;
   program.isCompute_ = true;
-  const Source source = sourceOf(path, variant);
+  const ShaderSource source = sourceOf(path, variant);
   program.name_ = link({compile(GL_COMPUTE_SHADER, path, source)}, path);
 #ifndef NDEBUG
   program.source_ = source.text;
@@ -163,7 +112,7 @@ ShaderProgram ShaderProgram::compute(std::string_view path, const Variant& varia
 
 ShaderProgram ShaderProgram::graphics(std::string_view vertexPath, std::string_view fragmentPath) {
   ShaderProgram program;
-  const Source vertex = sourceOf(vertexPath, {}), fragment = sourceOf(fragmentPath, {});
+  const ShaderSource vertex = sourceOf(vertexPath, {}), fragment = sourceOf(fragmentPath, {});
   const GLuint vertexShader = compile(GL_VERTEX_SHADER, vertexPath, vertex);
   program.name_ = link({vertexShader, compile(GL_FRAGMENT_SHADER, fragmentPath, fragment)}, fragmentPath);
 #ifndef NDEBUG
@@ -231,12 +180,7 @@ void ShaderProgram::inspect() {
 }
 
 void ShaderProgram::assertDeclared([[maybe_unused]] std::string_view name) const {
-#ifndef NDEBUG
-  const auto isPart = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; };
-  for (std::size_t at = source_.find(name); at != std::string::npos; at = source_.find(name, at + 1))
-    if ((at == 0 || !isPart(source_[at - 1])) && !isPart(source_[at + name.size()])) return;
-  assert(!"the shader declares no uniform of this name");
-#endif
+  assert(holdsName(source_, name) && "the shader declares no uniform of this name");
 }
 
 const ShaderProgram::Uniform* ShaderProgram::find(std::string_view uniform,

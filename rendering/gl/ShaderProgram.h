@@ -1,5 +1,5 @@
 #pragma once
-// Programs from the embedded shader sources, with #include, switches and alternatives.
+// Programs from the embedded shader sources.
 
 #include <cstddef>
 #include <cstdint>
@@ -8,7 +8,6 @@
 #include <map>
 #include <memory>
 #include <span>
-#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <unordered_map>
@@ -18,29 +17,10 @@
 #include <glm/glm.hpp>
 
 #include "rendering/gl/Buffer.h"
+#include "rendering/gl/ShaderSource.h"
 #include "rendering/gl/Texture.h"
 
 namespace fenestra::gl {
-
-/// A shader that does not compile or link: a programmer's error or a driver's; what() is the log with file names.
-class ShaderError : public std::runtime_error {
-  using std::runtime_error::runtime_error;
-};
-
-/// A line "#define NAME VALUE" before the source.
-struct Define {
-  std::string name;
-  int value = 1;
-};
-/// The file that a line `#include <name>` stands for: alternatives with one interface, of which a variant takes one.
-struct Choice {
-  std::string name, file;
-};
-/// One way to compile a shader.
-struct Variant {
-  std::vector<Define> defines;
-  std::vector<Choice> choices;
-};
 
 /// Part of a picture in pixels from its top left.
 struct Region {
@@ -87,9 +67,9 @@ class ShaderProgram {
   /// Runs a compute program over at least size.x × size.y invocations in groups of groupSize, then makes its writes
   /// visible to everything after.
   void dispatch(glm::ivec2 size, glm::ivec2 groupSize);
-  /// The same over each region of a picture in groups of 8×8; the shader takes its pixels from lib/Region.glsl.
+  /// Runs over each region of a picture in groups of 8×8; the shader takes its pixels from lib/Region.glsl.
   void dispatch(std::span<const Region> regions);
-  /// As many groups as a shader has written into the buffer's first three words.
+  /// Runs as many groups as a shader has written into the buffer's first three words.
   void dispatchIndirect(const Buffer& groups);
   /// Draws one triangle that covers the viewport.
   void drawFullScreen();
@@ -141,7 +121,7 @@ class ShaderProgram {
   std::map<std::string, Uniform, std::less<>> uniforms_;  ///< active, outside of blocks; no textures
   std::vector<TextureUnit> textures_;
   Block block_;
-  std::string source_;  ///< of all stages, to assert names; empty in release builds
+  std::string source_;  ///< of all stages, to assert names; empty without assertions
 };
 
 /// Compute programs by path and variant, for all whose contexts share objects: each is compiled once. Whoever runs a

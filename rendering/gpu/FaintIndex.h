@@ -1,5 +1,5 @@
 #pragma once
-// Where the faint labels of the context are, for shaders/lib/FaintLabels.glsl.
+// Where the faint labels of the context are, for shaders/lib/functions/ByLabel.glsl.
 
 #include <cstdint>
 #include <memory>

@@ -19,8 +19,10 @@ struct Clip {
   std::optional<glm::dvec2> grey = {};  ///< of capped faces: coded value · x + y, 0..1; see Clipping::grey
   bool operator==(const Clip&) const = default;
 
-  /// For shaders/lib/Clip.glsl: the define and, unless nothing clips, the struct of uniforms.
-  gl::Define define() const { return {"CLIPPED", kept.empty() ? 0 : grey ? 2 : 1}; }
+  /// <clip> of shaders (rendering/gpu/SceneVariant.h), and unless nothing clips, the struct of uniforms.
+  gl::Choice choice() const {
+    return {"clip", kept.empty() ? "lib/clip/None.glsl" : grey ? "lib/clip/GreyFaces.glsl" : "lib/clip/Faces.glsl"};
+  }
   ClipUniforms uniforms(const Grid& grid) const;
 };
 
@@ -44,11 +46,14 @@ class RayFrame {
   /// `grid` is the volume's, of which shaders walk a finer one (see RefinedVolume.h).
   RayFrame(const Camera& camera, glm::ivec2 size, const Grid& grid, Clip clip = {}, int refinement = 1);
 
-  /// For lib/PixelRay.glsl; `program` was compiled with clipDefine() and scatterDefine().
+  /// For lib/PixelRay.glsl; `program` was compiled with variant().
   void setUniforms(gl::ShaderProgram& program) const;
-  gl::Define clipDefine() const { return clip_.define(); }
-  gl::Define scatterDefine() const { return {"SCATTERED", isScattered() ? 1 : 0}; }
-  /// The same picture's rays between pixel centres.
+  /// <clip> and <places>.
+  gl::Variant variant() const { return {{}, {clip_.choice(), placesChoice()}}; }
+  gl::Choice placesChoice() const {
+    return {"places", isScattered() ? "lib/places/Scattered.glsl" : "lib/places/Centres.glsl"};
+  }
+  /// The rays of this picture between pixel centres.
   RayFrame scattered(const Scatter& scatter) const;
   bool isScattered() const { return scatter_.has_value(); }
   const Clip& clip() const { return clip_; }

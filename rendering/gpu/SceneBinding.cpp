@@ -2,43 +2,32 @@
 
 #include <algorithm>
 
-#include "rendering/gpu/PreIntegration.h"
 #include "rendering/scene/Fading.h"
 #include "rendering/scene/Lighting.h"
 
 namespace fenestra {
 namespace {
-/// Storage blocks, as lib/focus/Index.glsl and lib/FirstHit.glsl number them.
+/// Storage blocks, as lib/focus/Index.glsl, lib/Search.glsl and lib/TransferSegments.glsl number them.
 enum Block : unsigned { focusCellsBlock = 0, gapsBlock = 1, segmentOfEntryBlock = 3 };
-}  // namespace
 
-void bindVolume(const GpuScene& scene, gl::ShaderProgram& program) {
+/// Whether a program reads the spline itself, and not samples of it.
+bool readsSpline(const GpuScene& scene, bool bounded) { return bounded && scene.refinement() > 1; }
+
+void bindTexels(const GpuScene& scene, gl::ShaderProgram& program) {
   program.bind("volumeTexels", scene.volume().texture);
-  if (scene.refinement() > 1) program.bind("splineTexels", scene.splineCoefficients());
   program.set(VolumeUniforms{scene.drawnGrid().dims});
 }
 
-gl::Define volumeDefine(const GpuScene& scene) {
-  return {"VOLUME_BYTES", static_cast<int>(gl::bytesPerTexel(scene.volume().texture.format()))};
+void setTransfer(const GpuScene& scene, gl::ShaderProgram& program) {
+  program.set(TransferUniforms{scene.firstMaterial(), scene.lastMaterial(), scene.transferMap(), scene.visibleEntries(),
+                               scene.preIntegrationLevel()});
 }
+}  // namespace
 
-gl::Define refinementDefine(const GpuScene& scene) { return {"REFINEMENT", scene.refinement()}; }
-
-gl::Choice integralChoice(const GpuScene& scene, bool bounded) {
-  if (!bounded) return {"integral", "lib/integral/FaceToFace.glsl"};
-  return {"integral", scene.refinement() > 1 ? "lib/integral/SplineByCell.glsl" : "lib/integral/CellByCell.glsl"};
-}
-
-gl::Choice focusChoice(const GpuScene& scene) {
-  switch (scene.focusKind()) {
-    case FocusIndex::Kind::Labels:
-      return {"focus", scene.focusIsSmoothed() ? "lib/focus/SmoothLabels.glsl" : "lib/focus/Labels.glsl"};
-    case FocusIndex::Kind::Values:
-      return {"focus", "lib/focus/Values.glsl"};
-    case FocusIndex::Kind::None:
-      break;
-  }
-  return {"focus", "lib/focus/None.glsl"};
+void bindVolume(const GpuScene& scene, gl::ShaderProgram& program) {
+  if (!readsSpline(scene, true)) return bindTexels(scene, program);
+  program.bind("splineTexels", scene.splineCoefficients());
+  program.set(VolumeUniforms{scene.drawnGrid().dims});
 }
 
 void bindFocus(const GpuScene& scene, gl::ShaderProgram& program, FocusUniforms uniforms) {
@@ -64,19 +53,12 @@ void bindFocusLook(const GpuScene& scene, gl::ShaderProgram& program, const Look
     focus.material.a = static_cast<float>(look.focusAppearance.extinction);
   }
   if (look.shading.enabled && scene.focusSmooth()) {
-    program.bind("focusSmooth", scene.focusSmooth());
-    if (bounded) program.bind("focusSmoothTexels", scene.focusSmooth());
+    program.bind(bounded ? "focusSmoothTexels" : "focusSmooth", scene.focusSmooth());
     // A texel spans half a voxel around its centre, and the cell frame is index + 1.
     focus.smoothOrigin = glm::vec3(scene.focusSmoothOrigin()) + 0.5f;
     focus.worldFromIndexGradient = Std140Mat3(glm::mat3(glm::transpose(glm::dmat3(scene.grid().indexFromWorld()))));
   }
   bindFocus(scene, program, focus);
-}
-
-std::vector<gl::Define> focusDefines(const GpuScene& scene, bool lit) {
-  return {{"FOCUS_PALETTE", static_cast<bool>(scene.focusPaletteIndex())},
-          {"FOCUS_FUNCTIONS", scene.focusByValue()},
-          {"FOCUS_SMOOTH", lit && scene.focusSmooth()}};
 }
 
 void bindLabelHits(const GpuScene& scene, const KeptLabels& labels, gl::ShaderProgram& program) {
@@ -90,14 +72,6 @@ void bindLabelHits(const GpuScene& scene, const KeptLabels& labels, gl::ShaderPr
   labels.cells.bind(focusCellsBlock);
   program.set(FocusUniforms());
 }
-
-gl::Choice importanceChoice(const KeptLabels& labels) {
-  return {"focus", !labels.any()     ? "lib/focus/None.glsl"
-                   : labels.smoothed ? "lib/focus/SmoothLabels.glsl"
-                                     : "lib/focus/Labels.glsl"};
-}
-
-gl::Define levelsDefine(const GpuScene& scene) { return {"IMPORTANCE_LEVELS", !scene.importance().empty()}; }
 
 void bindLabels(const KeptLabels& labels, gl::ShaderProgram& program) {
   program.bind("focusBricks", labels.bricks);
@@ -124,33 +98,23 @@ void bindFaint(const GpuScene& scene, gl::ShaderProgram& program) {
   program.set("lastVoxel", scene.grid().dims - 1);
 }
 
-gl::Define faintDefine(const GpuScene& scene) { return {"FAINT_LABELS", scene.faint().any()}; }
-
 void bindTransfer(const GpuScene& scene, gl::ShaderProgram& program) {
   program.bind("transferTables", scene.transferTables());
-  program.set(TransferUniforms{scene.firstMaterial(), scene.lastMaterial(), scene.transferMap(), scene.visibleEntries(),
-                               scene.preIntegrationLevel()});
+  setTransfer(scene, program);
 }
 
-void bindPreIntegration(const GpuScene& scene, gl::ShaderProgram& program) {
+void bindIntegral(const GpuScene& scene, gl::ShaderProgram& program, bool bounded) {
+  if (bounded) {
+    bindVolume(scene, program);
+    program.bind("transferSegments", scene.transferSegments());
+    scene.segmentOfEntry().bind(segmentOfEntryBlock);
+    setTransfer(scene, program);
+    return;
+  }
+  bindTexels(scene, program);
   program.bind("preIntegration", scene.preIntegration());  // first: it may be made here, and with it its level
   bindTransfer(scene, program);
 }
-
-std::vector<gl::Define> preIntegrationDefines() {
-  return {{"PRE_INTEGRATION_LEVELS", PreIntegration::levels},
-          {"PRE_INTEGRATION_MANTISSA", PreIntegration::mantissaBits},
-          {"PRE_INTEGRATION_SPACING", PreIntegration::spacing}};
-}
-
-void bindTransferSegments(const GpuScene& scene, gl::ShaderProgram& program) {
-  bindTransfer(scene, program);
-  program.bind("transferSegments", scene.transferSegments());
-  scene.segmentOfEntry().bind(segmentOfEntryBlock);
-}
-
-gl::Define tableDefine() { return {"TABLE_SIZE", GpuScene::tableSize}; }
-gl::Define segmentsDefine() { return {"SEGMENTS_PER_ROW", GpuScene::segmentsPerRow}; }
 
 void bindDerivative(const GpuScene& scene, gl::ShaderProgram& program) {
   const DerivativeVolume& derivative = scene.derivative();
@@ -167,28 +131,22 @@ void bindDerivative(const GpuScene& scene, gl::ShaderProgram& program) {
   program.set("contextMargin", static_cast<float>(0.5 * std::min({spacing.x, spacing.y, spacing.z})));
 }
 
-gl::Define derivativeDefine(const GpuScene& scene) {
-  return {"DERIVATIVE_BYTES", static_cast<int>(gl::bytesPerTexel(scene.derivative().texture.format()))};
-}
-
-gl::Choice lightChoice(bool lit) { return {"light", lit ? "lib/light/Lit.glsl" : "lib/light/Unlit.glsl"}; }
-
 void bindLight(const GpuScene& scene, gl::ShaderProgram& program, const Camera::Axes& axes, const Shading& shading,
-               const gl::Texture* nodes) {
+               const IntegralKind& kind) {
   LightUniforms light = lightUniforms(axes, shading);
   light.gradientOrigin = scene.gradientOrigin();
-  if (nodes) {
+  if (kind.occlusion) {
     const OccluderCells& cells = scene.occluders().cells();
     light.lastNode = cells.dims - 1;
     light.nodesPerVoxel = 1.0f / glm::vec3(cells.side);
-    program.bind("occlusionNodes", *nodes);
+    program.bind("occlusionNodes", *kind.occlusion);
   }
   program.set(light);
-  program.bind("gradientTexels", scene.gradient());
-  if (scene.refinement() > 1) program.bind("normalTexels", scene.normalCoefficients());
+  if (readsSpline(scene, kind.bounded))
+    program.bind("normalTexels", scene.normalCoefficients());
+  else
+    program.bind("gradientTexels", scene.gradient());
 }
-
-gl::Define occlusionDefine(const gl::Texture* nodes) { return {"OCCLUDED", nodes != nullptr}; }
 
 void bindFading(const GpuScene& scene, gl::ShaderProgram& program, const Camera& camera, double distance,
                 const std::optional<MethodStages::Fading>& fading) {
@@ -226,13 +184,6 @@ void bindFading(const GpuScene& scene, gl::ShaderProgram& program, const Camera&
   const glm::dvec3 middle = scene.focus().centre(scene.grid()).value_or(scene.grid().centre());
   program.set("focalMiddle", glm::vec3(middle - (camera.eye + distance * camera.axes().forward)));
   program.set("focalIsBox", fading->region->shape == FocalShape::Box ? 1 : 0);
-}
-
-gl::Define fadingDefine(const std::optional<MethodStages::Fading>& fading) {
-  if (!fading) return {"FADING", 0};
-  if (fading->followsLight()) return {"FADING", 1};
-  if (!fading->region) return {"FADING", 3};
-  return {"FADING", fading->region->shape == FocalShape::Distance ? 4 : 2};
 }
 
 LightUniforms lightUniforms(const Camera::Axes& axes, const Shading& shading) {

@@ -24,7 +24,7 @@ struct alignas(16) RayUniforms {
   alignas(8) glm::ivec2 pictureSize;
 };
 
-/// shaders/lib/Clip.glsl.
+/// shaders/lib/clip.
 struct alignas(16) ClipUniforms {
   static constexpr const char* name = "clipping";
   std::array<glm::vec4, mostHalfSpaces> planes, normals;

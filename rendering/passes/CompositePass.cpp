@@ -15,18 +15,30 @@ ContextLayerUniforms uniformsOf(const ContextLayer& layer, const DerivativeVolum
           static_cast<float>(derivative.spacing)};
 }
 
-/// As the shader numbers them.
-int faintKind(const MethodStages& method) {
-  if (method.lens) return 4;
+gl::Choice faintChoice(const MethodStages& method, bool isFaint) {
+  if (!isFaint) return {"faint", "lib/faint/None.glsl"};
+  if (method.lens) return {"faint", "lib/faint/Lens.glsl"};
   switch (method.sparseness) {
     case Sparseness::Opacity:
       break;
     case Sparseness::Colour:
-      return 2;
+      return {"faint", "lib/faint/Colour.glsl"};
     case Sparseness::ScreenDoor:
-      return 3;
+      return {"faint", "lib/faint/ScreenDoor.glsl"};
   }
-  return 1;
+  return {"faint", "lib/faint/Opacity.glsl"};
+}
+
+gl::Variant variantOf(const GpuScene& gpu, const CompositePass::Inputs& inputs, const MethodStages& method) {
+  gl::Variant variant{
+      {{"SCATTERED", inputs.scattered}},
+      {scheduleChoice(gpu.schedule()),
+       faintChoice(method, inputs.faintLayer),
+       {"edits", inputs.editMap ? "lib/edits/Map.glsl" : "lib/edits/None.glsl"},
+       {"front", inputs.protectedLayer ? "lib/front/ProtectedLabels.glsl" : "lib/front/None.glsl"},
+       {"contextLayer", inputs.contextLayer ? "lib/contextLayer/Edges.glsl" : "lib/contextLayer/None.glsl"}}};
+  if (inputs.contextLayer) variant += {{{"APART", inputs.rayStart != nullptr}, tableDefine()}, {}};
+  return variant;
 }
 
 void setLens(gl::ShaderProgram& program, const gl::Texture& surface, const MethodStages::Lens& lens, const Grid& grid) {
@@ -42,14 +54,7 @@ void CompositePass::run(Steps& steps, const GpuScene& gpu, const Inputs& inputs,
   const MethodStages method = stagesOf(look.method);
   steps.add(regions, [this, &gpu, inputs, method, &look, &picture](Regions tile) {
     const bool hasLayer = inputs.contextLayer != nullptr;
-    gl::ShaderProgram& program = programs_.get({{{"CONTEXT_LAYER", hasLayer},
-                                                 {"EDITED", inputs.editMap != nullptr},
-                                                 {"PROTECTED", inputs.protectedLayer != nullptr},
-                                                 {"FAINT", inputs.faintLayer ? faintKind(method) : 0},
-                                                 {"APART", inputs.rayStart != nullptr},
-                                                 {"SCATTERED", inputs.scattered},
-                                                 tableDefine()},
-                                                {scheduleChoice(gpu.schedule())}});
+    gl::ShaderProgram& program = programs_.get(variantOf(gpu, inputs, method));
     program.bind("focusLayer", inputs.focusLayer);
     program.bind("hitPoints", inputs.hitPoints);
     program.bind("distances", inputs.distances);

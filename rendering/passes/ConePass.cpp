@@ -31,8 +31,8 @@ void ConePass::run(Steps& steps, Schedule schedule, const RayFrame& rays, const 
   if (depths_.bytes() != squares * sizeof(float)) depths_ = gl::Buffer::zeroed(squares * sizeof(float));
 
   steps.add(uniforms.tops << topLevel, [this, schedule, &rays, &hitPoints, uniforms, cones](Regions tile) {
-    gl::ShaderProgram& program =
-        depthsProgram_.get({{{"SILHOUETTE", cones.onSilhouette}, rays.clipDefine()}, {scheduleChoice(schedule)}});
+    gl::ShaderProgram& program = depthsProgram_.get(
+        gl::Variant{{{"SILHOUETTE", cones.onSilhouette}}, {scheduleChoice(schedule)}} + rays.variant());
     rays.setUniforms(program);
     program.set(uniforms);
     program.bind("hitPoints", hitPoints);
@@ -48,13 +48,15 @@ void ConePass::run(Steps& steps, Schedule schedule, const RayFrame& rays, const 
       program.dispatch(tile);
     });
   steps.add(rays.size(), [this, schedule, &rays, &hitPoints, uniforms, &starts, level](Regions tile) {
-    const int levels = !level ? 0 : level->isLowest ? 1 : 2;
+    const gl::Choice choice{"level", !level            ? "lib/level/Only.glsl"
+                                     : level->isLowest ? "lib/level/Lowest.glsl"
+                                                       : "lib/level/Higher.glsl"};
     gl::ShaderProgram& program =
-        startProgram_.get({{rays.clipDefine(), {"IMPORTANCE_LEVELS", levels}}, {scheduleChoice(schedule)}});
+        startProgram_.get(gl::Variant{{}, {scheduleChoice(schedule), choice}} + rays.variant());
     rays.setUniforms(program);
     program.set(uniforms);
     program.bind("hitPoints", hitPoints);
-    const gl::Access access = levels == 2 ? gl::Access::ReadWrite : gl::Access::Write;
+    const gl::Access access = level && !level->isLowest ? gl::Access::ReadWrite : gl::Access::Write;
     program.bind("coneStart", starts, access);
     if (level) program.bind("openedHits", level->opened, access);
     depths_.bind(depthsBinding);

@@ -5,9 +5,8 @@
 namespace fenestra {
 
 gl::ShaderProgram& ContextLayerPass::prepared(const GpuScene& gpu, const Shading& shading, const RayFrame& rays) {
-  gl::ShaderProgram& program = programs_.get(
-      {{volumeDefine(gpu), refinementDefine(gpu), rays.clipDefine(), rays.scatterDefine(), derivativeDefine(gpu)},
-       {scheduleChoice(gpu.schedule())}});
+  gl::ShaderProgram& program = programs_.get(gl::Variant{{}, {scheduleChoice(gpu.schedule()), derivativeChoice(gpu)}} +
+                                             volumeVariant(gpu) + rays.variant());
   rays.setUniforms(program);
   bindVolume(gpu, program);
   bindDerivative(gpu, program);

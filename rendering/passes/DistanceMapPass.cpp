@@ -12,7 +12,8 @@ void DistanceMapPass::run(Steps& steps, Schedule schedule, const gl::Texture& hi
   }
   const gl::Variant variant{{}, {scheduleChoice(schedule)}};
   steps.add(glm::ivec2(mask_.size()), [this, schedule, &hitPoints, starts](Regions tile) {
-    gl::ShaderProgram& mask = maskProgram_.get({{{"OPENED", starts != nullptr}}, {scheduleChoice(schedule)}});
+    const gl::Choice choice{"mask", starts ? "lib/mask/Opening.glsl" : "lib/mask/Projection.glsl"};
+    gl::ShaderProgram& mask = maskProgram_.get({{}, {scheduleChoice(schedule), choice}});
     mask.bind("hitPoints", hitPoints);
     if (starts) mask.bind("starts", *starts);
     mask.bind("focusMask", mask_, gl::Access::Write);

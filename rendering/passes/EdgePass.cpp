@@ -24,15 +24,16 @@ void EdgePass::find(Steps& steps, Schedule schedule, const gl::Texture& picture,
   if (list_.bytes() != needed) list_ = gl::Buffer::zeroed(needed);
   steps.then([this] { list_.write(std::as_bytes(std::span(emptyList))); });
   steps.add(regions, [this, schedule, &picture, opening, &smoothed](Regions tile) {
-    gl::ShaderProgram& program = find_.get({{{"OPENED", opening.has_value()}}, {scheduleChoice(schedule)}});
+    const gl::Choice edges{"edges", opening ? "lib/edges/Opened.glsl" : "lib/edges/Plain.glsl"};
+    gl::ShaderProgram& program = find_.get({{}, {scheduleChoice(schedule), edges}});
     list_.bind(Scatter::binding);
     program.bind("picture", picture);
     if (opening) {
       program.bind("hitPoints", opening->hitPoints);
       program.bind("distances", opening->distances);
       program.set("widths", glm::vec2(opening->widths));
+      program.set("outline", static_cast<float>(edges::outline));
     }
-    program.set("outline", static_cast<float>(edges::outline));
     program.set("contrasts", glm::vec2(edges::leastContrast, edges::fullContrast));
     program.bind("smoothed", smoothed, gl::Access::Write);
     program.dispatch(tile);

@@ -16,7 +16,7 @@ class EdgePass {
  public:
   explicit EdgePass(const gl::SharedPrograms& programs = std::make_shared<gl::ComputePrograms>())
       : find_("EdgePixels.comp", programs), means_("EdgeMeans.comp", programs) {}
-  /// Of a cutaway, what tells where the line around the opening is smooth by itself.
+  /// What tells where the line around a cutaway's opening is smooth by itself.
   struct Opening {
     const gl::Texture& hitPoints;
     const gl::Texture& distances;
@@ -26,13 +26,15 @@ class EdgePass {
   /// premultiplied RGBA32F). A pixel of regions that overlap may be listed twice.
   void find(Steps& steps, Schedule schedule, const gl::Texture& picture, const std::optional<Opening>& opening,
             Regions regions, gl::Texture& smoothed);
-  /// Of the list that find() made; waits for it.
+  /// The number of pixels that find() has listed; waits for it.
   int count() const;
   const gl::Buffer& list() const { return list_; }
   /// Writes a batch of that list: means of `picture` and of what its rays between pixel centres have `drawn`.
   void blend(Steps& steps, Schedule schedule, const Scatter& batch, const gl::Texture& picture,
              const gl::Texture& drawn, gl::Texture& smoothed);
   std::size_t bytes() const { return list_.bytes(); }
+  /// Drops the list.
+  void release() { list_ = {}; }
 
  private:
   gl::ShaderVariants find_, means_;

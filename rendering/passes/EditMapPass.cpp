@@ -75,9 +75,9 @@ void EditMapPass::run(Steps& steps, Schedule schedule, const RayFrame& rays, con
 
   steps.add(regions, [this, schedule, &rays, inputs, grid, &editMap](Regions tile) {
     gl::ShaderProgram& program =
-        programs_.get({{inputs.define(), rays.clipDefine(), rays.scatterDefine()}, {scheduleChoice(schedule)}});
+        programs_.get(gl::Variant{{}, {scheduleChoice(schedule), inputs.choice(rays)}} + rays.variant());
     rays.setUniforms(program);
-    inputs.bind(program);
+    inputs.bind(program, rays);
     strokes_.bind(strokesBlock);
     lines_.bind(linesBlock);
     tiles_.bind(tilesBlock);

@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <iterator>
 #include <vector>
 
 #include "rendering/gpu/SceneBinding.h"
@@ -89,16 +88,6 @@ bool isGhosted(const Look& look) {
 
 }  // namespace
 
-namespace {
-
-/// What shaders/lib/integral/CellPath.glsl calls SHOWN.
-int shownOf(const FocusLayerPass::ExplodedStretch* stretch, const gl::Texture* focusHits) {
-  if (!stretch || !focusHits) return 0;
-  return stretch->shown == FocusLayerPass::Stretch::InFocus ? 2 : 1;
-}
-
-}  // namespace
-
 IntegralUniforms FocusLayerPass::integralUniforms(const GpuScene& gpu, const Sampling& sampling, bool lit) {
   const glm::dvec3 spacing = gpu.grid().spacing;
   return {static_cast<float>(leastTransmittance(sampling, lit)),
@@ -107,53 +96,49 @@ IntegralUniforms FocusLayerPass::integralUniforms(const GpuScene& gpu, const Sam
           static_cast<float>(lighting::wallShare)};
 }
 
-gl::Choice FocusLayerPass::openingChoice(const Drawn& drawn) {
-  if (!drawn.opening)
-    return {"opening", drawn.rays.isClipped() ? "lib/opening/Capped.glsl" : "lib/opening/Closed.glsl"};
-  return {"opening", isGhosted(drawn.look) ? "lib/opening/Ghosted.glsl" : "lib/opening/Open.glsl"};
+IntegralKind FocusLayerPass::kindOf(const Drawn& drawn) {
+  const GpuScene& gpu = drawn.gpu;
+  const Sampling& sampling = drawn.sampling;
+  IntegralKind kind{.lit = drawn.look.shading.enabled,
+                    .bounded = sampling.maxError.has_value(),
+                    .occlusion = drawn.occlusion,
+                    .hasLevels = !gpu.importance().empty(),
+                    .fading = fadingOf(drawn.look),
+                    .roughSteps = sampling.roughSteps};
+  kind.wholeCells = readsWholeCells(gpu, sampling, kind.lit);
+  kind.bentNormals = bendsNormals(gpu, sampling, kind.lit);
+  // Where a view is exploded around its focus, a stretch shows that or a part of the context.
+  if (drawn.stretch && drawn.focusHits)
+    kind.shown =
+        drawn.stretch->shown == Stretch::InFocus ? IntegralKind::Shown::FocusAlone : IntegralKind::Shown::ContextAlone;
+  return kind;
 }
 
 gl::ShaderProgram& FocusLayerPass::program(bool listed, const Drawn& drawn) {
   const auto& [gpu, look, rays, opening, sampling, occlusion, stretch, focusHits, resumes] = drawn;
-  const bool lit = look.shading.enabled, bounded = sampling.maxError.has_value();
-  gl::Variant variant{{volumeDefine(gpu),
-                       refinementDefine(gpu),
-                       {"SAMPLED", !bounded},
-                       {"ROUGH_STEPS", sampling.roughSteps},
-                       tableDefine(),
-                       segmentsDefine(),
-                       faintDefine(gpu),
-                       levelsDefine(gpu),
-                       {"BENT_NORMALS", bendsNormals(gpu, sampling, lit)},
-                       {"WHOLE_CELLS", readsWholeCells(gpu, sampling, lit)},
-                       occlusionDefine(occlusion),
-                       fadingDefine(fadingOf(look)),
-                       {"EXPLODED", !stretch    ? 0
-                                    : focusHits ? 2
-                                                : 1},
-                       {"SHOWN", shownOf(stretch, focusHits)},
-                       {"LISTED", listed},
-                       {"QUINCUNX", sampling.quincunx && !listed},
-                       {"APART", opening && opening->hole},
-                       rays.clipDefine(),
-                       rays.scatterDefine(),
-                       {"RAYS", raysTogether(gpu.schedule(), sampling, lit)}},
-                      {scheduleChoice(gpu.schedule()), focusChoice(gpu), lightChoice(lit), openingChoice(drawn),
-                       integralChoice(gpu, bounded)}};
-  std::ranges::copy(focusDefines(gpu, lit), std::back_inserter(variant.defines));
-  if (!bounded) std::ranges::copy(preIntegrationDefines(), std::back_inserter(variant.defines));
-  return programs_.get(variant);
+  const gl::Choice pixels{"pixels", listed              ? "lib/pixels/Listed.glsl"
+                                    : sampling.quincunx ? "lib/pixels/Quincunx.glsl"
+                                                        : "lib/pixels/Lattice.glsl"};
+  const gl::Variant variant = gl::Variant{{{"RAYS", raysTogether(gpu.schedule(), sampling, look.shading.enabled)}},
+                                          {scheduleChoice(gpu.schedule()), pixels}} +
+                              integralVariant(gpu, kindOf(drawn)) + rays.variant();
+  const gl::Choice unopened{"opening", rays.isClipped() ? "lib/opening/Capped.glsl" : "lib/opening/Closed.glsl"};
+  if (stretch) {
+    const gl::Choice choice{"stretch", focusHits ? "lib/stretch/AtHit.glsl" : "lib/stretch/Whole.glsl"};
+    return exploded_.get(variant + gl::Variant{{}, {unopened, choice}});
+  }
+  if (!opening) return programs_.get(variant + gl::Variant{{}, {unopened}});
+  const gl::Choice hole{"hole", opening->hole ? "lib/hole/Apart.glsl" : "lib/hole/None.glsl"};
+  if (isGhosted(look)) return programs_.get(variant + gl::Variant{{}, {{"opening", "lib/opening/Ghosted.glsl"}, hole}});
+  return (opening->hole ? apart_ : programs_)
+      .get(variant + gl::Variant{{}, {{"opening", "lib/opening/Open.glsl"}, hole}});
 }
 
 gl::ShaderProgram& FocusLayerPass::prepared(bool listed, const Drawn& drawn) {
   const auto& [gpu, look, rays, opening, sampling, occlusion, stretch, focusHits, resumes] = drawn;
   gl::ShaderProgram& program = this->program(listed, drawn);
   rays.setUniforms(program);
-  bindVolume(gpu, program);
-  if (sampling.maxError)
-    bindTransferSegments(gpu, program);
-  else
-    bindPreIntegration(gpu, program);
+  bindIntegral(gpu, program, sampling.maxError.has_value());
   bindFaint(gpu, program);
   program.set(integralUniforms(gpu, sampling, look.shading.enabled));
   if (opening) {
@@ -170,7 +155,7 @@ gl::ShaderProgram& FocusLayerPass::prepared(bool listed, const Drawn& drawn) {
       program.set("fromPicture", static_cast<float>(stretch->fromPicture));
     }
   }
-  if (look.shading.enabled) bindLight(gpu, program, rays.axes(), look.shading, occlusion);
+  if (look.shading.enabled) bindLight(gpu, program, rays.axes(), look.shading, kindOf(drawn));
   bindFading(gpu, program, rays.camera(), rays.distance(), fadingOf(look));
   bindFocusLook(gpu, program, look, sampling.maxError.has_value());
   return program;
@@ -184,10 +169,8 @@ void FocusLayerPass::drawBetween(const Layers& layers, int halfSide, bool centre
   if (list_.bytes() < needed) list_ = gl::Buffer::zeroed(needed);
   list_.write(std::as_bytes(std::span(emptyList)));
   list_.bind(listBlock);
-  gl::ShaderProgram& between = between_.get({{{"CENTRES", centres},
-                                              {"QUINCUNX", drawn.sampling.quincunx},
-                                              {"RAYS", raysTogether(drawn.gpu.schedule(), drawn.sampling, lit)}},
-                                             {}});
+  gl::ShaderVariants& programs = drawn.sampling.quincunx ? quincunxBetween_ : centres ? centresBetween_ : sidesBetween_;
+  gl::ShaderProgram& between = programs.get({{{"RAYS", raysTogether(drawn.gpu.schedule(), drawn.sampling, lit)}}, {}});
   between.set("pictureSize", drawn.rays.size());
   if (!drawn.sampling.quincunx) between.set("halfSide", halfSide);
   between.set("tolerance", static_cast<float>(toleranceOf(drawn.sampling, lit, halfSide)));

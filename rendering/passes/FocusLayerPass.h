@@ -8,6 +8,7 @@
 #include "rendering/gl/Texture.h"
 #include "rendering/gpu/GpuScene.h"
 #include "rendering/gpu/RayFrame.h"
+#include "rendering/gpu/SceneVariant.h"
 #include "rendering/gpu/Uniforms.h"
 #include "rendering/passes/Steps.h"
 
@@ -26,7 +27,12 @@ namespace fenestra {
 class FocusLayerPass {
  public:
   explicit FocusLayerPass(const gl::SharedPrograms& programs = std::make_shared<gl::ComputePrograms>())
-      : programs_("FocusLayer.comp", programs), between_("PixelsBetween.comp", programs) {}
+      : programs_("FocusLayer.comp", programs),
+        apart_("FocusLayerApart.comp", programs),
+        exploded_("FocusLayerExploded.comp", programs),
+        quincunxBetween_("QuincunxBetween.comp", programs),
+        centresBetween_("CentresBetween.comp", programs),
+        sidesBetween_("SidesBetween.comp", programs) {}
   /// Where rays start in a cutaway; hitPoints tells cut faces from the focus and the context's own surface. Where the
   /// opening is ghosted, rays start where they enter the volume instead, and rayStart is where their ghost ends.
   struct Opening {
@@ -34,8 +40,8 @@ class FocusLayerPass {
     const gl::Texture& rayStart;
     /// Where another camera cuts the opening; see RemovedPass. Needs a sampling with a bound on the error.
     const gl::Texture* hole = nullptr;
-    /// Of scattered rays, whose the others are: the ray starts of the picture's pixels. They tell the cut face's
-    /// normal.
+    /// With scattered rays, to which the other textures belong: the ray starts of the picture's pixels. They tell the
+    /// cut face's normal.
     const gl::Texture* pixelStarts = nullptr;
   };
   /// How the integral is found: cell by cell within a bound on the error of a pixel's colour (0..1), or without one
@@ -52,10 +58,10 @@ class FocusLayerPass {
     bool roughSteps = false;
     bool operator==(const Sampling&) const = default;
   };
-  /// Of pictures of draft or normal quality, for which no bound is asked, where only the integral within a bound can
-  /// draw what they show.
+  /// The bound of pictures of draft or normal quality, for which none is asked, where only the integral within a bound
+  /// can draw what they show.
   static constexpr double usualBound = 4.0 / 255.0;
-  /// The same with a ray through every pixel.
+  /// This sampling, but with a ray through every pixel.
   static Sampling followingEveryRay(const Sampling& sampling) {
     return {.maxError = sampling.maxError, .tolerance = sampling.tolerance, .roughSteps = sampling.roughSteps};
   }
@@ -76,7 +82,7 @@ class FocusLayerPass {
   enum class Stretch : std::uint8_t { Before, InFocus, Behind };
   struct ExplodedStretch {
     Stretch shown = Stretch::Before;
-    /// Of the picture's camera, moved back by the part's translation, and clipped to the part.
+    /// Rays of the picture's camera, moved back by the part's translation and clipped to the part.
     RayFrame rays;
     double fromPicture = 0.0;  ///< s on these rays less s on the picture's rays, where both see the same place
   };
@@ -86,6 +92,8 @@ class FocusLayerPass {
   void runExploded(Steps& steps, const GpuScene& gpu, const Look& look, const std::vector<ExplodedStretch>& stretches,
                    const gl::Texture* focusHits, const Sampling& sampling, Regions regions, gl::Texture& focusLayer);
   std::size_t bytes() const { return list_.bytes(); }
+  /// Drops the list of pixels.
+  void release() { list_ = {}; }
 
  private:
   struct Drawn {
@@ -95,23 +103,22 @@ class FocusLayerPass {
     std::optional<Opening> opening;
     Sampling sampling;
     const gl::Texture* occlusion;
-    const ExplodedStretch* stretch = nullptr;  ///< of an exploded view
+    const ExplodedStretch* stretch = nullptr;  ///< in an exploded view
     const gl::Texture* focusHits = nullptr;
     bool resumes = false;  ///< other stretches lie before it
   };
-  /// The variant that such a picture takes, for pixels of the lattice or listed ones, and the same with all that it
-  /// reads.
-  static gl::Choice openingChoice(const Drawn& drawn);
+  static IntegralKind kindOf(const Drawn& drawn);
+  /// The variant that such a picture takes, for pixels of the lattice or listed ones; and that with all that it reads.
   gl::ShaderProgram& program(bool listed, const Drawn& drawn);
   gl::ShaderProgram& prepared(bool listed, const Drawn& drawn);
   /// All that lies on the rays, from the front to the back.
   using Layers = std::vector<Drawn>;
   void add(Steps& steps, const Layers& layers, Regions regions, gl::Texture& focusLayer);
   /// Pixels between those of a lattice whose squares have sides of 2·halfSide: the squares' centres, or the middles of
-  /// their sides, which need all centres. Of a quincunx, the latter.
+  /// their sides, which need all centres. A quincunx needs the latter alone.
   void drawBetween(const Layers& layers, int halfSide, bool centres, Regions squares, gl::Texture& focusLayer);
 
-  gl::ShaderVariants programs_, between_;
+  gl::ShaderVariants programs_, apart_, exploded_, quincunxBetween_, centresBetween_, sidesBetween_;
   gl::Buffer list_;  // pixels between those of the lattice that get a ray; empty when every pixel has one
 };
 

@@ -1,6 +1,7 @@
 #include "rendering/passes/HitPointPass.h"
 
 #include "rendering/gpu/SceneBinding.h"
+#include "rendering/gpu/SceneVariant.h"
 
 namespace fenestra {
 
@@ -17,9 +18,9 @@ void HitPointPass::run(Steps& steps, const GpuScene& scene, const RayFrame& rays
 void HitPointPass::add(Steps& steps, const GpuScene& scene, const RayFrame& rays, const gl::Region& region,
                        gl::Texture& hitPoints, glm::ivec2 offset) {
   steps.add(Regions(&region, 1), [this, &scene, &rays, &hitPoints, offset](Regions tile) {
-    gl::ShaderProgram& program = programs_.get(
-        {{volumeDefine(scene), refinementDefine(scene), faintDefine(scene), rays.clipDefine(), rays.scatterDefine()},
-         {scheduleChoice(scene.schedule()), focusChoice(scene)}});
+    gl::ShaderProgram& program =
+        programs_.get(gl::Variant{{}, {scheduleChoice(scene.schedule()), focusChoice(scene), functionsChoice(scene)}} +
+                      searchVariant(scene) + rays.variant());
     rays.setUniforms(program);
     bindFirstHit(scene, program);
     bindFaint(scene, program);

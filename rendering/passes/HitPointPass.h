@@ -21,7 +21,7 @@ class HitPointPass {
   /// Writes RG32F (s_context, s_focus) for the pixels from `offset` on, as many as `hitPoints` has.
   void run(Steps& steps, const GpuScene& scene, const RayFrame& rays, gl::Texture& hitPoints,
            glm::ivec2 offset = glm::ivec2(0));
-  /// The same of a part of the image, which belongs to scattered rays.
+  /// Writes a part of the image, which belongs to scattered rays.
   void run(Steps& steps, const GpuScene& scene, const RayFrame& rays, const gl::Region& region, gl::Texture& hitPoints);
 
  private:

@@ -7,13 +7,10 @@ namespace fenestra {
 void ImportancePass::run(Steps& steps, const GpuScene& gpu, const KeptLabels& level, const RayFrame& rays,
                          const gl::Texture& hitPoints, gl::Texture& hits, bool isHigher) {
   steps.add(rays.size(), [this, &gpu, &level, &rays, &hitPoints, &hits, isHigher](Regions tile) {
-    gl::ShaderProgram& program = programs_.get({{volumeDefine(gpu),
-                                                 refinementDefine(gpu),
-                                                 faintDefine(gpu),
-                                                 rays.clipDefine(),
-                                                 rays.scatterDefine(),
-                                                 {"HIGHER", isHigher}},
-                                                {scheduleChoice(gpu.schedule()), importanceChoice(level)}});
+    const gl::Choice lower{"lower", isHigher ? "lib/lower/Level.glsl" : "lib/lower/None.glsl"};
+    gl::ShaderProgram& program = programs_.get(
+        gl::Variant{{}, {scheduleChoice(gpu.schedule()), focusChoice(level), functionsChoice(gpu), lower}} +
+        searchVariant(gpu) + rays.variant());
     rays.setUniforms(program);
     bindLabelHits(gpu, level, program);
     bindFaint(gpu, program);

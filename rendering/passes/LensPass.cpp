@@ -24,7 +24,7 @@ void LensPass::run(Steps& steps, const GpuScene& gpu, const RayFrame& rays, cons
   const glm::vec3 otherwise(focusMiddle - anchor);
   steps.add(regions, [this, &gpu, &rays, &hitPoints, sightBase, sightDirection, otherwise, &surface](Regions tile) {
     gl::ShaderProgram& program = programs_.get(
-        {{refinementDefine(gpu), rays.clipDefine(), derivativeDefine(gpu)}, {scheduleChoice(gpu.schedule())}});
+        gl::Variant{{}, {scheduleChoice(gpu.schedule()), derivativeChoice(gpu)}} + gridVariant(gpu) + rays.variant());
     rays.setUniforms(program);
     bindDerivative(gpu, program);
     program.set("sightBase", sightBase);

@@ -109,8 +109,10 @@ void OcclusionPass::run(Steps& steps, const GpuScene& gpu, const Shading& shadin
   if (glm::ivec2(nodes.size()) != size) nodes = gl::Texture::make2D(gl::Format::RGBA32UI, size);
 
   steps.add(size, [this, &gpu, clip, opening](Regions tile) {
-    gl::ShaderProgram& program = occluders_.get(
-        {{{"OPENED", opening.has_value()}, clip.define(), {"SCATTERED", 0}}, {scheduleChoice(gpu.schedule())}});
+    gl::Variant variant{{}, {scheduleChoice(gpu.schedule()), clip.choice()}};
+    variant.choices.push_back({"occluders", opening ? "lib/occluders/Opened.glsl" : "lib/occluders/Closed.glsl"});
+    if (opening) variant.choices.push_back(opening->rays.placesChoice());
+    gl::ShaderProgram& program = occluders_.get(variant);
     if (opening) {
       opening->rays.setUniforms(program);
       program.bind("hitPoints", opening->hitPoints);

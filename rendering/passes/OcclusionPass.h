@@ -20,7 +20,7 @@ class OcclusionPass {
       : occluders_("Occluders.comp", programs),
         occlusion_("Occlusion.comp", programs),
         nodes_("OcclusionNodes.comp", programs) {}
-  /// Of the camera that cuts the opening: its first hits, and where its rays start.
+  /// The camera that cuts the opening: its first hits, and where its rays start.
   struct Opening {
     const RayFrame& rays;
     const gl::Texture& hitPoints;

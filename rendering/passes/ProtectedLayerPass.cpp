@@ -1,38 +1,24 @@
 #include "rendering/passes/ProtectedLayerPass.h"
 
 #include <algorithm>
-#include <iterator>
-#include <vector>
 
 #include "rendering/gpu/SceneBinding.h"
 
 namespace fenestra {
 
-gl::ShaderProgram& ProtectedLayerPass::program(const GpuScene& gpu, bool lit, const RayFrame& rays,
-                                               const gl::Texture* occlusion, Shown shown) {
-  const bool labelsAlone = shown == Shown::ProtectedLabels, withFocus = shown == Shown::AllWithFocus;
-  gl::Variant variant{{volumeDefine(gpu),
-                       refinementDefine(gpu),
-                       tableDefine(),
-                       segmentsDefine(),
-                       faintDefine(gpu),
-                       occlusionDefine(occlusion),
-                       {"IMPORTANCE_LEVELS", withFocus},
-                       {"APART", false},
-                       {"LABELS_ALONE", labelsAlone},
-                       rays.clipDefine(),
-                       rays.scatterDefine(),
-                       {"RAYS", 1}},
-                      {scheduleChoice(gpu.schedule()),
-                       withFocus ? focusChoice(gpu)
-                                 : gl::Choice{"focus", labelsAlone ? "lib/focus/Labels.glsl" : "lib/focus/None.glsl"},
-                       lightChoice(lit),
-                       {"opening", "lib/opening/Removed.glsl"},
-                       integralChoice(gpu, true)}};
-  const std::vector<gl::Define> plain{{"FOCUS_PALETTE", false}, {"FOCUS_FUNCTIONS", false}, {"FOCUS_SMOOTH", false}};
-  std::ranges::copy(withFocus ? focusDefines(gpu, lit) : plain, std::back_inserter(variant.defines));
-  return programs_.get(variant);
+namespace {
+IntegralKind::Held heldFor(ProtectedLayerPass::Shown shown) {
+  switch (shown) {
+    case ProtectedLayerPass::Shown::ProtectedLabels:
+      return IntegralKind::Held::KeptLabels;
+    case ProtectedLayerPass::Shown::AllWithFocus:
+      return IntegralKind::Held::OfScene;
+    case ProtectedLayerPass::Shown::All:
+      break;
+  }
+  return IntegralKind::Held::None;
 }
+}  // namespace
 
 void ProtectedLayerPass::run(Steps& steps, const GpuScene& gpu, const Look& look, const RayFrame& rays,
                              const FocusLayerPass::Opening& opening, const FocusLayerPass::Sampling& sampling,
@@ -40,11 +26,17 @@ void ProtectedLayerPass::run(Steps& steps, const GpuScene& gpu, const Look& look
   FocusLayerPass::Sampling bounded = sampling;
   bounded.maxError = 0.5 * sampling.maxError.value_or(std::max(FocusLayerPass::usualBound, 4.0 * sampling.tolerance));
   steps.add(regions, [this, &gpu, &look, &rays, opening, bounded, &protectedLayer, occlusion, shown](Regions tile) {
-    const bool lit = look.shading.enabled;
-    gl::ShaderProgram& program = this->program(gpu, lit, rays, occlusion, shown);
+    const IntegralKind kind{.lit = look.shading.enabled,
+                            .bounded = true,
+                            .occlusion = occlusion,
+                            .held = heldFor(shown),
+                            .hasLevels = shown == Shown::AllWithFocus};
+    gl::ShaderProgram& program =
+        programs_.get(gl::Variant{{{"RAYS", 1}, {"LABELS_ALONE", shown == Shown::ProtectedLabels}},
+                                  {scheduleChoice(gpu.schedule()), {"opening", "lib/opening/Removed.glsl"}}} +
+                      integralVariant(gpu, kind) + rays.variant());
     rays.setUniforms(program);
-    bindVolume(gpu, program);
-    bindTransferSegments(gpu, program);
+    bindIntegral(gpu, program, true);
     bindFaint(gpu, program);
     if (shown == Shown::ProtectedLabels)
       bindLabels(gpu.protectedLabels(), program);
@@ -55,7 +47,7 @@ void ProtectedLayerPass::run(Steps& steps, const GpuScene& gpu, const Look& look
     program.set(FocusLayerPass::integralUniforms(gpu, bounded, look.shading.enabled));
     program.bind("rayStart", opening.rayStart);
     program.bind("hitPoints", opening.hitPoints);
-    if (lit) bindLight(gpu, program, rays.axes(), look.shading, occlusion);
+    if (kind.lit) bindLight(gpu, program, rays.axes(), look.shading, kind);
     program.bind("protectedLayer", protectedLayer, gl::Access::Write);
     program.dispatch(tile);
   });

@@ -12,7 +12,7 @@
 namespace fenestra {
 
 /// The opening removes what a ray passes from the context's first hit, s_context, to where it starts to see, s_start.
-/// Of this the protected labels stay: with κ and c the context's extinction and colour as everywhere else,
+/// The protected labels stay of this: with κ and c the context's extinction and colour as everywhere else,
 ///
 ///   P = ∫ c κ [I ≥ ½] exp(-∫ κ [I ≥ ½] ds') ds   over s_context ≤ s ≤ s_start
 ///
@@ -34,9 +34,6 @@ class ProtectedLayerPass {
            gl::Texture& protectedLayer, const gl::Texture* occlusion = nullptr, Shown shown = Shown::ProtectedLabels);
 
  private:
-  gl::ShaderProgram& program(const GpuScene& gpu, bool lit, const RayFrame& rays, const gl::Texture* occlusion,
-                             Shown shown);
-
   gl::ShaderVariants programs_;
 };
 

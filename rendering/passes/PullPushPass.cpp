@@ -1,6 +1,9 @@
 #include "rendering/passes/PullPushPass.h"
 
 namespace fenestra {
+namespace {
+gl::Choice fineChoice(std::size_t level) { return {"fine", level == 0 ? "lib/fine/Hits.glsl" : "lib/fine/Level.glsl"}; }
+}  // namespace
 
 void PullPushPass::run(Steps& steps, Schedule schedule, const gl::Texture& hitPoints, gl::Texture& filled) {
   glm::ivec2 size(hitPoints.size());
@@ -16,7 +19,7 @@ void PullPushPass::run(Steps& steps, Schedule schedule, const gl::Texture& hitPo
   }
   for (std::size_t level = 0; level < known_.size(); ++level)
     steps.add(glm::ivec2(known_[level].size()), [this, schedule, level, &hitPoints](Regions tile) {
-      gl::ShaderProgram& up = analysis_.get({{{"FINEST", level == 0}}, {scheduleChoice(schedule)}});
+      gl::ShaderProgram& up = analysis_.get({{}, {scheduleChoice(schedule), fineChoice(level)}});
       up.bind("fine", level == 0 ? hitPoints : known_[level - 1]);
       up.bind("coarse", known_[level], gl::Access::Write);
       up.dispatch(tile);
@@ -26,7 +29,7 @@ void PullPushPass::run(Steps& steps, Schedule schedule, const gl::Texture& hitPo
     steps.add(glm::ivec2(target.size()), [this, schedule, level, &hitPoints, &target](Regions tile) {
       // The coarsest level is one pixel: known, or no pixel of the picture is.
       const gl::Texture& coarse = level + 1 == known_.size() ? known_.back() : filled_[level];
-      gl::ShaderProgram& down = synthesis_.get({{{"FINEST", level == 0}}, {scheduleChoice(schedule)}});
+      gl::ShaderProgram& down = synthesis_.get({{}, {scheduleChoice(schedule), fineChoice(level)}});
       down.bind("fine", level == 0 ? hitPoints : known_[level - 1]);
       down.bind("coarse", coarse);
       down.bind("filled", target, gl::Access::Write);

@@ -21,16 +21,16 @@ class RayStartPass {
     const gl::Texture& focusFilled;
     const gl::Texture& distances;
     double openWidth;  ///< rendered pixels
-    /// Of scattered rays alone, whose hit points these are; the other two are those of the picture's pixels, between
-    /// which stage 4 is interpolated. Greater distances count as `reach`, in rendered pixels.
+    /// For scattered rays, whose hit points these are. The other two textures are those of the picture's pixels,
+    /// between which stage 4 is interpolated; greater distances count as `reach`, in rendered pixels.
     double reach = 0.0;
     const gl::Texture* given = nullptr;  ///< R32F: the starts before the brush, in place of what follows from the rest
 
-    /// For shaders/lib/opening/RayStart.glsl.
-    gl::Define define() const { return {"GIVEN_START", given != nullptr}; }
-    void bind(gl::ShaderProgram& program) const;
+    /// <starts>, for a picture's rays.
+    gl::Choice choice(const RayFrame& rays) const;
+    void bind(gl::ShaderProgram& program, const RayFrame& rays) const;
   };
-  /// `editMap` is EditMapPass's, or null without strokes. Writes R32F. Of scattered rays also `borderDistance`, R32F:
+  /// `editMap` is EditMapPass's, or null without strokes. Writes R32F. For scattered rays also `borderDistance`, R32F:
   /// the interpolated distance, 0 on the focus.
   void run(Steps& steps, Schedule schedule, const RayFrame& rays, const Inputs& inputs, const gl::Texture* editMap,
            Regions regions, gl::Texture& rayStart, gl::Texture* borderDistance = nullptr);

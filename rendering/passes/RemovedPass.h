@@ -27,7 +27,7 @@ class RemovedPass {
  public:
   explicit RemovedPass(const gl::SharedPrograms& programs = std::make_shared<gl::ComputePrograms>())
       : faces_("RemovedFaces.comp", programs), parts_("RemovedParts.comp", programs) {}
-  /// Of the opening's camera, as the other passes of stages 1 to 4 make them.
+  /// The opening's camera and its images, as the other passes of stages 1 to 4 make them.
   struct Opening {
     const RayFrame& rays;
     const gl::Texture& hitPoints;
@@ -37,9 +37,9 @@ class RemovedPass {
     const gl::Texture* editMap;  ///< null without strokes
     double reach;                ///< pixels of the distance map that count
   };
-  /// Of the picture: where rays start (R32F); from where to where they see nothing again (RG32F, as far as a float
-  /// reaches where there is no such hole); the opening's distance map on the context's first surface (R32F); the factor
-  /// of context layer and border in the second channel, as EditMapPass has it (RG32F, null without strokes).
+  /// The picture's images: where rays start (R32F); from where to where they see nothing again (RG32F, as far as a
+  /// float reaches where there is no such hole); the opening's distance map on the context's first surface (R32F); the
+  /// factor of context layer and border in the second channel, as EditMapPass has it (RG32F, null without strokes).
   struct Outputs {
     gl::Texture& rayStart;
     gl::Texture& hole;
@@ -50,7 +50,7 @@ class RemovedPass {
   /// is. `voxel`: mm, its shortest side.
   void run(Steps& steps, Schedule schedule, const RayFrame& rays, const gl::Texture& hitPoints, const Opening& opening,
            bool holes, double voxel, gl::Texture& faces, const Outputs& outputs);
-  /// The same of other rays, whose images have that part, with the faces that run() has made.
+  /// Runs for other rays, whose images have that part, with the faces that run() has made.
   void runParts(Steps& steps, Schedule schedule, const RayFrame& rays, const gl::Texture& hitPoints,
                 const Opening& opening, bool holes, double voxel, const gl::Texture& faces, const gl::Region& region,
                 const Outputs& outputs);

@@ -29,7 +29,7 @@ class Steps {
   /// A step over regions, each cut at multiples of 8 pixels from its origin: `run` gets every region in one piece or in
   /// several. The result must not depend on the cut.
   void add(Regions regions, Tile run);
-  /// The same over all pixels of a picture.
+  /// A step over all pixels of a picture.
   void add(glm::ivec2 size, Tile run);
   /// What to do between steps.
   void then(std::function<void()> action);

@@ -46,7 +46,13 @@ void WallPass::run(Steps& steps, const GpuScene& gpu, const Scene& scene, const 
   images_.update(scene, walls, which, slices);
   const WallUniforms uniforms = uniformsOf(walls, grid, rays);
   steps.add(regions, [this, &gpu, uniforms, &rays, opening, &picture, outputs](Regions tile) {
-    gl::ShaderProgram& program = programs_.get({{{"INSIDE", opening.has_value()}}, {scheduleChoice(gpu.schedule())}});
+    // Walls stand also where the volume is clipped.
+    gl::ShaderProgram& program =
+        programs_.get({{},
+                       {scheduleChoice(gpu.schedule()),
+                        Clip().choice(),
+                        rays.placesChoice(),
+                        {"walls", opening ? "lib/walls/Inside.glsl" : "lib/walls/Around.glsl"}}});
     rays.setUniforms(program);
     program.set(uniforms);
     images_.bindLines();

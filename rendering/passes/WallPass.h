@@ -18,7 +18,7 @@ class WallPass {
  public:
   explicit WallPass(const gl::SharedPrograms& programs = std::make_shared<gl::ComputePrograms>())
       : programs_("Walls.comp", programs) {}
-  /// Of walls inside the opening: the picture's hits (RG32F) and ray starts (R32F), positions along its rays.
+  /// What walls inside the opening need: the picture's hits (RG32F) and ray starts (R32F), positions along its rays.
   struct Opening {
     const gl::Texture& hitPoints;
     const gl::Texture& rayStart;

@@ -137,7 +137,7 @@ void dispatchTiles(gl::ShaderProgram& program, std::size_t tiles, int side, glm:
   program.dispatch(groups, {1, 1});
 }
 
-/// As the shaders have it.
+/// Whether a depth is the shaders' mark for no hit.
 bool isNone(float depth) { return depth < -1e29f; }
 
 }  // namespace
@@ -181,7 +181,8 @@ std::vector<Candidate> CandidateImages::measure(const GpuScene& gpu, const std::
 
 gl::ShaderProgram& CandidateImages::prepared(gl::ShaderVariants& programs, const GpuScene& gpu) {
   gl::ShaderProgram& program = programs.get(
-      {{volumeDefine(gpu), refinementDefine(gpu), clip_.define()}, {scheduleChoice(gpu.schedule()), focusChoice(gpu)}});
+      gl::Variant{{}, {scheduleChoice(gpu.schedule()), focusChoice(gpu), oneFunctionChoice(), clip_.choice()}} +
+      searchVariant(gpu));
   bindFirstHit(gpu, program);
   const Grid grid = gpu.drawnGrid();
   if (!clip_.kept.empty()) program.set(clip_.uniforms(grid));
@@ -227,7 +228,7 @@ FocusImage CandidateImages::image(const GpuScene& gpu, glm::dvec3 direction, int
 
   const double diameter = 2.0 * gpu.grid().boundingRadius();
   const glm::ivec2 count = tilesOver(pixels);
-  // A row and a column around the tiles, which see nothing: there the outlines close.
+  // The rows and columns around the tiles see nothing, so that the outlines close there.
   image.size = count * tileSide + 2;
   image.pixel = diameter / side;
   const std::size_t size = static_cast<std::size_t>(image.size.x) * static_cast<std::size_t>(image.size.y);
@@ -280,7 +281,7 @@ void CandidateImages::measureImages(const GpuScene& gpu, std::vector<Candidate>&
       ends.bind(endsBlock);
       dispatchTiles(prepared(ends_, gpu), tiles.size(), side, groupsFor(tiles.size()));
     }
-    const gl::Variant summed{{{"END_FACES", endFaces ? 1 : 0}}, {}};
+    const gl::Variant summed{{}, {{"ends", endFaces ? "lib/ends/Faces.glsl" : "lib/ends/None.glsl"}}};
     dispatchTiles(areas_.get(summed), tiles.size(), side, groupsFor((tiles.size() + tileSide - 1) / tileSide));
 
     std::vector<Sums> totals(ranges.size());

@@ -26,7 +26,7 @@ class CandidateImages {
 
   /// One candidate for each direction, with all descriptors but those of describeTogether(). The points that it sees
   /// are found unless `surface` is empty; end faces are measured with `endFaces`, at the resolution of the pixels.
-  /// Of what is clipped nothing counts: `kept` are the scene's halfSpaces(). A capped face is no end face. `gpu` must
+  /// Clipped material does not count: `kept` are the scene's halfSpaces(). A capped face is no end face. `gpu` must
   /// be up to date. Equal calls give bit-identical results.
   std::vector<Candidate> measure(const GpuScene& gpu, const std::vector<glm::dvec3>& directions,
                                  const FocusSurface& surface, int side, bool endFaces = false,

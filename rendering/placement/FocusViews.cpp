@@ -33,7 +33,7 @@ Ball ballAround(const std::vector<glm::dvec3>& points) {
 
 DescribedViews describeViews(GpuScene& gpu, const Scene& scene, const Measured& measured, const Sampling& sampling,
                              bool needsImages) {
-  // The same points as those that the candidates' bits stand for: sampling is deterministic.
+  // Sampling is deterministic, so these are the points that the candidates' bits stand for.
   const FocusSurface sampled = sampleSurface(gpu.drawn(scene), gpu.focus(), sampling.surfacePoints);
   SurfacePoints surface = pointsOf(sampled, gpu.grid(), measured);
   const std::vector<Candidate> candidates(measured.candidates.begin(),

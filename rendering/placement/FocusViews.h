@@ -1,5 +1,6 @@
 #pragma once
-// What the view descriptors need of a scene: its focus's surface points, and the candidates' images where asked for.
+// The parts of a scene that the view descriptors need: its focus's surface points, and the candidates' images where
+// asked for.
 
 #include "rendering/placement/CandidateImages.h"
 #include "rendering/viewpoints/ViewDescriptors.h"

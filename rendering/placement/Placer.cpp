@@ -9,7 +9,8 @@
 namespace fenestra::placement {
 namespace {
 
-/// The label in focus at or next to each point of the surface, which lies between a voxel of it and one of none.
+/// The label in focus at or next to each point of the surface, which lies between a voxel of that label and one outside
+/// the focus.
 std::vector<std::uint16_t> labelsOf(const FocusSurface& surface, const Scene& scene) {
   std::vector<std::uint16_t> labels;
   const auto* focus = std::get_if<LabelFocus>(&scene.look.focus);

@@ -20,7 +20,7 @@ class Placer {
   /// The next measure() measures anew.
   void forget() { key_.reset(); }
 
-  /// The same in slices, so that a window stays responsive: begin(), then advance() until it returns true, then
+  /// Measures in slices, so that a window stays responsive: begin(), then advance() until it returns true, then
   /// measured(). Another begin() cancels the one before. `gpu`'s volume and focus must not change in between.
   void begin(GpuScene& gpu, const Scene& scene, const Sampling& sampling, const Options& options);
   /// Measures `count` more candidates, and the opposite of the last one with it, as they share an image. True when all

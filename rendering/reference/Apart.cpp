@@ -1,4 +1,5 @@
-// What the opening of one camera removes of another camera's rays: rendering/passes/RemovedPass.h in double precision.
+// The parts of a camera's rays that the opening of another camera removes: rendering/passes/RemovedPass.h in double
+// precision.
 
 #include <algorithm>
 #include <array>
@@ -13,8 +14,8 @@ namespace fenestra::reference {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-/// Shares of a voxel's shortest side: what does not show between two removed parts, or between one and the focus; and
-/// how far behind the surface that the opening's camera sees the border shows.
+/// Shares of a voxel's shortest side: the longest piece that does not show between two removed parts, or between one
+/// and the focus; and how far behind the surface that the opening's camera sees the border shows.
 constexpr double sliver = 0.01, skin = 0.5, behind = 1.0;
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
@@ -92,7 +93,7 @@ class Opening {
   static glm::dvec3 pointAt(const Ray& ray, double t) { return ray.origin + t * ray.direction; }
 
  private:
-  /// Beside the focus's projection: the deepest that rays of the opening's picture start.
+  /// The deepest places where rays of the opening's picture may start beside the focus's projection.
   const Image& surface() const { return stages_.tCones.empty() ? stages_.tFocusFilled : stages_.tCones; }
   bool perspective() const { return camera_.projection == Projection::Perspective; }
   double depthOf(glm::dvec3 point) const { return glm::dot(point - camera_.eye, axes_.forward); }
@@ -204,7 +205,7 @@ class Opening {
   double nearest_ = 0.0;  ///< depth before which nothing is removed
 };
 
-/// Where a ray starts, and the hole behind that.
+/// Where a ray starts, and the hole behind its start.
 struct Visible {
   double start = unknown, holeBegin = infinity, holeEnd = infinity;
 };

@@ -5,7 +5,8 @@
 
 namespace fenestra::reference {
 
-/// Of the rays through some places of a picture, one element a ray. tFocusFilled, distance and editOffset are empty.
+/// Stages 1 to 4 of the rays through some places of a picture, one element a ray. tFocusFilled, distance and editOffset
+/// are empty.
 Stages stagesApart(const Scene& scene, const Camera& camera, glm::ivec2 size, const OpeningView& cut,
                    const std::vector<glm::dvec2>& places);
 

@@ -82,7 +82,7 @@ Cubic alongPiece(const Corners& corners, const Piece& piece);
 /// The cubic through values at 0, 1/3, 2/3 and 1.
 Cubic through(double a, double b, double c, double d);
 
-/// 0, the places in (0, 1) where the cubic's slope changes sign, and 1: it is monotone between neighbours.
+/// 0, the places in (0, 1) where the cubic's slope changes sign, and 1; the cubic is monotone between neighbours.
 struct Stops {
   std::array<double, 4> s{};
   std::size_t count = 0;

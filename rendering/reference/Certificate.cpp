@@ -31,7 +31,8 @@ glm::dvec3 overBackground(glm::dvec4 premultiplied, glm::dvec3 background) {
   return glm::dvec3(premultiplied) + (1.0 - premultiplied.a) * background;
 }
 
-/// Of each sampled pixel, in 1/255.
+/// Greatest difference of a channel at each sampled pixel, over the background, in 1/255; infinite where a value is
+/// NaN.
 std::vector<double> differences(std::span<const glm::vec4> picture, const std::vector<glm::dvec4>& exact,
                                 const std::vector<glm::ivec2>& pixels, glm::ivec2 size, const Look& look) {
   std::vector<double> result;
@@ -54,8 +55,8 @@ double roundedUp(double value, int digits) {
   return std::ceil(value * scale) / scale;
 }
 
-/// The least difference of which the wanted share of all pixels is within, by the order of the measured ones: no more
-/// of them may exceed it than leastShare allows.
+/// The least difference that the wanted share of all pixels keeps to. It is one of the measured differences: no more of
+/// these may exceed it than leastShare allows.
 double leastWithin(std::vector<double> measured, bool all) {
   if (measured.empty()) return 0.0;
   std::sort(measured.begin(), measured.end(), std::greater());

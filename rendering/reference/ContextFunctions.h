@@ -13,11 +13,11 @@ class ContextFunctions {
         functions_(contextFunctions(scene, faintLabels(scene))),
         numberOfLabel_(faintLabels(scene).numberOfLabel()) {}
 
-  /// All functions, the volume's first. Their nodes have the same values, and nothing shows in another where it does
-  /// not in the first.
+  /// All functions, the volume's first. Their nodes have the same values, and a value that does not show in the first
+  /// shows in none.
   const std::vector<TransferFunction>& all() const { return functions_; }
   bool differ() const { return functions_.size() > 1; }
-  /// The number of that in all() at an index position.
+  /// The number in all() of the function at an index position.
   std::size_t numberAt(glm::dvec3 index) const {
     if (!differ()) return 0;
     const glm::ivec3 nearest(glm::floor(index + 0.5));

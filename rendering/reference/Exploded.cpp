@@ -17,7 +17,7 @@ struct Stretches {
   FocusLayer layer;
 };
 
-/// What of a part a ray sees from `begin` to `end`, mm along it.
+/// The stretch of a part that a ray sees from `begin` to `end`, mm along it.
 CutRay stretchOf(const Scene& scene, const std::vector<HalfSpace>& kept, const Ray& ray, double begin, double end) {
   const Grid& grid = scene.volume->grid;
   CutRay cut{.ray = ray, .span = missed};
@@ -56,7 +56,7 @@ FocusLayer explodedLayer(const Scene& scene, const Camera& camera, glm::ivec2 si
   const std::vector<HalfSpace> clipped = halfSpaces(scene.look.clipping, grid);
   const Image tFocus = hitPoints(scene, camera, size, places).tFocus;
   constexpr double infinity = std::numeric_limits<double>::infinity();
-  // A ray meets so many stretches at most: each plane parts it once, and the focus once more.
+  // This is the greatest number of stretches that a ray meets: each plane parts it once, and the focus once more.
   const double each = tolerance / (explosion.planes + 3);
 
   std::vector<Stretches> all(1);  // the focus before what begins where it does

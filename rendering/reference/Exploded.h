@@ -1,6 +1,6 @@
 #pragma once
-// Exploded views in double precision: the picture of rendering/scene/Explosion.h, ray by ray. Of that file it shares
-// where the parts are, and nothing of how the renderer orders and draws them.
+// Exploded views in double precision: the picture of rendering/scene/Explosion.h, ray by ray. It shares with
+// that file where the parts are, but nothing of how the renderer orders and draws them.
 
 #include "rendering/reference/FocusLayer.h"
 

@@ -42,7 +42,7 @@ struct FadingState {
   double transmittance() const { return std::exp(-depth); }
 };
 
-/// What a step may be wrong by: `byOpacity` for each unit of opacity that it adds, and `byLength` for each mm.
+/// Greatest error of a step: `byOpacity` for each unit of opacity that it adds, and `byLength` for each mm.
 struct FadingTolerance {
   double byOpacity = 0.0, byLength = 0.0;
   double leastTransmittance = 0.0;  ///< the rest of a ray behind less than that is left out

@@ -41,7 +41,7 @@ class Field {
   }
 
   /// Calls visit(FieldPiece) for the parts of a piece in order, until it returns false; returns what it returned last.
-  /// None of them, where wants(range) of the values in the cell is false.
+  /// Visits none where wants(range of the values in the cell) is false.
   template <class ValueAt, class Wants, class Visit>
   bool along(const Piece& piece, const ValueAt& valueAt, Wants&& wants, Visit&& visit) const {
     if (spline_) return !wants(spline_->range(piece.cell)) || alongSpline(piece, visit);

@@ -13,12 +13,12 @@ class FocalRegion {
  public:
   /// A sphere or a box around a place.
   FocalRegion(const MethodStages::Fading::Region& region, glm::dvec3 middle) : region_(region), middle_(middle) {}
-  /// That of a scene; a FocalShape::Distance has to know its focus.
+  /// The region of a scene; a FocalShape::Distance follows the scene's focus.
   FocalRegion(const MethodStages::Fading::Region& region, const Scene& scene);
 
   /// δ: mm that a place in the world lies outside.
   double distance(glm::dvec3 world) const;
-  /// What a distance leaves of contours.
+  /// Share of contours that stays at a distance.
   double shareAt(double distance) const;
   /// Appends where a straight path, 0 at `from` and 1 at `to`, may enter or leave the region, and where the distance
   /// has a kink. For a FocalShape::Distance the path lies in one cell of the volume.

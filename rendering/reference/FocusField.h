@@ -14,7 +14,7 @@ namespace fenestra::reference {
 class FocusField {
  public:
   explicit FocusField(const Scene& scene);
-  /// The same of labels.
+  /// The indicator of some labels of a map.
   FocusField(const LabelMap& map, const std::vector<std::uint16_t>& labels,
              LabelSmoothing smoothing = LabelSmoothing::Off);
 

@@ -49,7 +49,7 @@ struct Medium {
     if (fading && fading->ghost) ghosting.emplace(*fading->ghost);
     if (scene.look.shading.enabled && focus.hasLabels()) focusNormals.emplace(scene.volume->grid, focus);
   }
-  /// Of labels alone, as part of the context.
+  /// The medium of some labels alone, as part of the context.
   static Medium ofLabels(const Scene& what, const Camera& camera, const std::vector<std::uint16_t>& labels,
                          const Occlusion* occluded) {
     Medium medium(what, camera, FocusField(*structuresOf(what), labels), occluded);
@@ -446,7 +446,7 @@ FocusLayer protectedLayer(const Scene& scene, const Camera& camera, const std::v
 
 FocusLayer removedLayer(const Scene& scene, const Camera& camera, const std::vector<CutRay>& rays,
                         const Image& tContext, double tolerance, const Occlusion* occlusion) {
-  // With several levels of importance it removes what of the focus hides more important labels.
+  // With several levels of importance it removes those parts of the focus that hide more important labels.
   if (!importanceLevels(scene).empty())
     return integrated(Medium(scene, camera, occlusion), removedOf(rays, tContext), tolerance);
   // Else the opening never removes any of the focus.

@@ -23,8 +23,8 @@ struct CutRay {
   Span hole{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
   glm::dvec3 wall{0.0};     ///< unit normal of the cut or capped face at the start, world; zero where there is none
   double beforeWall = 0.0;  ///< mm that the start lies behind that face
-  /// Where the context is ghosted: it is, up to there and in the hole, in which the ray then sees as well. Minus
-  /// infinity where there is no such part.
+  /// Set where the context is ghosted: it is a ghost up to this t and in the hole, in which the ray then sees as well.
+  /// Minus infinity where no part before the hole is ghosted.
   std::optional<double> ghostedTo{};
   std::optional<GreyFace> grey{};  ///< nothing behind it shows
 };
@@ -34,16 +34,16 @@ struct FocusLayer {
   Image error;                     ///< estimated, of the worst channel; at most the tolerance
 };
 
-/// What the opening removes of the scene's protected labels: the integral from `tContext` to the start of each ray, of
-/// the context alone and where the labels' interpolated 0/1 indicator is ½ or more. One element a ray.
+/// The protected labels in what the opening removes: the integral from `tContext` to the start of each ray, of the
+/// context alone, where the labels' interpolated 0/1 indicator is ½ or more. One element a ray.
 FocusLayer protectedLayer(const Scene& scene, const Camera& camera, const std::vector<CutRay>& rays,
                           const Image& tContext, double tolerance, const Occlusion* occlusion = nullptr);
 
-/// All that the opening removes: the same integral of the context, without regard to labels.
+/// All that the opening removes: that integral of the context without regard to labels.
 FocusLayer removedLayer(const Scene& scene, const Camera& camera, const std::vector<CutRay>& rays,
                         const Image& tContext, double tolerance, const Occlusion* occlusion = nullptr);
 
-/// What clipping leaves out of the scene's exempt labels, before and behind what it keeps of each ray; see
+/// The scene's exempt labels before and behind the part of each ray that clipping keeps; see
 /// rendering/passes/ExemptPass.h.
 struct ExemptLayers {
   FocusLayer before, behind;
@@ -51,7 +51,7 @@ struct ExemptLayers {
 ExemptLayers exemptLayers(const Scene& scene, const Camera& camera, const std::vector<CutRay>& rays, double tolerance,
                           const Occlusion* occlusion = nullptr);
 
-/// The context with the focus left out of it, or the focus alone: of the stretches of rays in an exploded view.
+/// What the stretches of rays in an exploded view show: the context without the focus, or the focus alone.
 enum class Alone : std::uint8_t { OutsideFocus, InFocus };
 FocusLayer layerOf(Alone shown, const Scene& scene, const Camera& camera, const std::vector<CutRay>& rays,
                    double tolerance);

@@ -17,8 +17,8 @@ struct FocusShow {
   bool operator==(const FocusShow&) const = default;
 };
 
-/// How a focus is shown. In a label focus that is how the nearest voxel is, or where that has no label of the focus,
-/// the first of its neighbours that has one (x fastest, from the lowest index).
+/// How a focus is shown. A point of a label focus is shown as its nearest voxel is, or where that voxel has no label of
+/// the focus, as the first of its neighbours that has one (x fastest, from the lowest index).
 class FocusShows {
  public:
   explicit FocusShows(const Scene& scene)

@@ -16,7 +16,7 @@ class Ghosting {
     return (square - ghost_.outline * along * along) / (square + ghost_.edge * ghost_.edge);
   }
 
-  /// m: what of the extinction stays.
+  /// m: the share of the extinction that stays.
   double factor(glm::dvec3 gradient, glm::dvec3 direction) const {
     return 1.0 - ghost_.strength * (1.0 - edge(gradient, direction));
   }

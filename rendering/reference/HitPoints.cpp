@@ -53,7 +53,7 @@ class ContextGaps {
   explicit ContextGaps(const Scene& scene) : functions_(scene) {
     for (const TransferFunction& function : functions_.all()) gaps_.push_back(function.transparentGaps(1.0 / 255.0));
   }
-  /// Whether values of that range show in no function: the others show less than the first.
+  /// Whether values of that range show in no function. The first decides: the others show less than it.
   bool isClear(ValueRange range) const { return isInGap(gaps_.front(), range); }
   /// First t of the piece in the context.
   std::optional<double> firstHit(const FieldPiece& whole) const {

@@ -24,8 +24,8 @@ glm::dvec3 seenTowards(glm::dvec3 place, const Scene& scene, const Camera& camer
   return std::isnan(t) ? place : ray.origin + t * ray.direction;
 }
 
-/// b: what stays beside bends, `place` radii from the middle; `before`: radii of context before the focus, NaN beside
-/// the focus.
+/// b: the share that stays without regard to bends, at `place` radii from the middle; `before`: radii of context before
+/// the focus, NaN beside the focus.
 double keptBesideBends(LensFade fade, double place, double before) {
   if (place >= 1.0) return 1.0;
   if (fade == LensFade::Distance) return place;

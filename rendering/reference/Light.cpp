@@ -76,7 +76,7 @@ FocusNormals::FocusNormals(const Grid& grid, const FocusField& focus)
       for (index.x = 0; index.x < box_.dims.x; ++index.x)
         field_[box_.offset(index)] = static_cast<float>(focus.indicatorAtVoxel(low_ + index));
 
-  // Of a 0/1 indicator, whole numbers over at most 2^24: exact in single precision.
+  // Filters a 0/1 indicator, so that values are whole numbers over at most 2^24: exact in single precision.
   const auto filter = [&](int axis) {
     const int across = (axis + 1) % 3, along = (axis + 2) % 3;
     parallelFor(static_cast<std::size_t>(box_.dims[along]), 1, [&](std::size_t begin, std::size_t end) {

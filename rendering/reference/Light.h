@@ -13,8 +13,8 @@ struct Light {
   glm::dvec3 direction;
   Shading shading;
 
-  /// Ambient and diffuse light on a surface whose normal is at |cosine| to the light. `open`: what is left of ambient
-  /// and of direct light (Occlusion.h).
+  /// Ambient and diffuse light on a surface whose normal is at |cosine| to the light. `open`: the shares of
+  /// ambient and of direct light that arrive (Occlusion.h).
   double incident(double cosine, glm::dvec2 open = glm::dvec2(1.0)) const {
     return shading.ambient * open.x + shading.diffuse * cosine * open.y;
   }
@@ -35,7 +35,7 @@ class VoxelNormals {
  public:
   explicit VoxelNormals(const Volume& volume);
 
-  /// Of the voxel at `index` (inside the grid), from the values around it.
+  /// g·n of the voxel at `index` (inside the grid), from the values around it.
   template <class ValueAt>
   glm::dvec3 at(glm::ivec3 index, const ValueAt& valueAt) const {
     return gated(gradient(index, valueAt));

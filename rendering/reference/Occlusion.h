@@ -30,12 +30,13 @@ struct OccludingMedium {
 /// without an opening.
 OccludingMedium occludingMedium(const Scene& scene, const Camera& camera, glm::ivec2 size, const Stages* stages);
 
-/// What is left of ambient and of direct light. A node is computed when it is first asked for; any thread may ask.
+/// The shares of ambient and of direct light that reach a point. A node is computed when it is first asked for; any
+/// thread may ask.
 class Occlusion {
  public:
   /// As occludingMedium(). The light is that of `camera`.
   Occlusion(const Scene& scene, const Camera& camera, glm::ivec2 size, const Stages* stages);
-  /// The same of a medium, for the light from a direction (unit, world).
+  /// Occlusion in a given medium, with the light from a direction (unit, world).
   Occlusion(OccludingMedium medium, const Shading& shading, glm::dvec3 light,
             const occlusion::Directions& directions = {});
 

@@ -18,7 +18,7 @@ namespace {
 
 constexpr double hair = 1e-6;  // mm; what lies nearer to a face of the opening is outside
 
-/// What is in focus of a scene's voxels.
+/// Which voxels of a scene are in focus.
 class InFocus {
  public:
   explicit InFocus(const Scene& scene) : scene_(scene), shown_(shownVolume(scene)), voxels_(shown_) {
@@ -40,7 +40,7 @@ class InFocus {
         for (int x = -1; x <= 0; ++x) isKept = isKept || cells_.contains(voxel + glm::ivec3(x, y, z));
     return isKept;
   }
-  /// A voxel's real value as it is moved along: the focus is not.
+  /// A voxel's real value as it is moved along; air where it is in focus, because the focus stays in its place.
   double moved(glm::ivec3 voxel) const { return (*this)(voxel) ? voxels_.air() : voxels_.value(voxel); }
   const ShownVoxels& voxels() const { return voxels_; }
   const ShownVolume& shown() const { return shown_; }
@@ -69,7 +69,7 @@ class Roll {
   }
   /// The (l, h) that is brought to a place; empty where there is none.
   std::optional<glm::dvec2> sourceOf(glm::dvec2 place) const {
-    // How far the place lies ahead of l: less, the greater l.
+    // How far the place lies ahead of l; it falls as l grows.
     const auto ahead = [&](double l) {
       const Frame frame = at(l);
       return glm::dot(place - frame.break_, frame.along);
@@ -157,7 +157,7 @@ struct Layer {
     if (h < hair || std::abs(p) > halfLength - hair) return 0;
     const bool isOpen = std::abs(q) < axis - hair;
     const auto from = Roll(axis, radius, thickness).sourceOf({std::abs(q), h});
-    // What is not open is taken only by what folds back beyond half a turn.
+    // A place outside the opening is covered only by what folds back beyond half a turn.
     if (from && (isOpen || from->x >= std::numbers::pi * radius)) {
       const double w = axis - from->x;
       source = world + (q < 0.0 ? -1.0 : 1.0) * (w - std::abs(q)) * v + (from->y - h) * a;

@@ -1,7 +1,7 @@
 #pragma once
-// Volumes with a layer peeled off, in double precision and one voxel at a time; what PeeledScene is tested against. Of
-// rendering/scene/Peel.h it shares the definition of the body's box alone. It rolls the layer up forwards, and inverts
-// that by bisection.
+// Volumes with a layer peeled off, in double precision and one voxel at a time; what PeeledScene is tested against. It
+// shares with rendering/scene/Peel.h the definition of the body's box alone. It rolls the layer up forwards, and
+// inverts that by bisection.
 
 #include <optional>
 

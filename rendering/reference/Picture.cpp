@@ -150,7 +150,7 @@ std::vector<LensPoint> lensOf(const Frame& frame, const Rays& rays, Picture& pic
   return points;
 }
 
-/// What shows of a colour that the opening removes, where the method keeps it faint.
+/// A colour that the opening removes, as faint as the method keeps it.
 glm::dvec4 madeFaint(glm::dvec4 colour, const MethodStages& method, glm::dvec2 place) {
   const glm::ivec2 pixel(glm::floor(place));
   colour *= faintShare(method.sparseness, method.faintOpacity, pixel.x, pixel.y);
@@ -217,7 +217,7 @@ void addContextLayer(const Frame& frame, const Rays& rays, const std::vector<Cut
   for (std::size_t i = 0; i < cut.size(); ++i) {
     uncut.push_back(cut[i].ray);
     tContext.push_back(rays.tContext(i));
-    // Of a surface that another camera's opening leaves, the edges show in itself.
+    // Where another camera's opening leaves the context's surface in place, no edges are laid over it: it shows itself.
     const bool stays = rays.stages.apart && !(rays.start(i) > rays.tContext(i));
     tFocus.push_back(stays ? nothing : rays.tFocus(i));
   }
@@ -251,7 +251,7 @@ Picture drawn(const Frame& frame, const Rays& rays) {
   const bool guarded = frame.pixels && !labelsWith(LabelRole::Protected, scene).empty();
   const MethodStages method = stagesOf(scene.look.method);
   const bool hasFaint = frame.pixels && method.keepsRemoved();
-  // Of each of so many layers, and half of what is left beside exempt labels.
+  // Each layer has an equal share of the tolerance, and half of it where exempt labels are drawn beside them.
   const double tolerance =
       frame.tolerance / (1.0 + guarded + hasFaint) * (scene.look.clipping.exempt.empty() ? 1.0 : 0.5);
   FocusLayer layer = focusLayer(scene, frame.camera, cut, tolerance, frame.occlusion);
@@ -306,8 +306,7 @@ bool isInside(glm::ivec2 pixel, glm::ivec2 size) {
 }
 constexpr std::array<glm::ivec2, 4> steps{{glm::ivec2(1, 0), glm::ivec2(0, 1), glm::ivec2(-1, 0), glm::ivec2(0, -1)}};
 
-/// The pixels, and behind them those beside them that are not among them; and where each pixel of the picture is in
-/// that list.
+/// The pixels, then their neighbours that are not among them; and where each pixel of the picture is in that list.
 struct Neighbourhood {
   std::vector<glm::ivec2> pixels;
   std::vector<std::size_t> indexOf;
@@ -329,7 +328,7 @@ Neighbourhood withNeighbours(const std::vector<glm::ivec2>& pixels, glm::ivec2 s
   return all;
 }
 
-/// Greatest difference of a channel between a pixel and one beside it, as EdgeRays.h has it.
+/// Greatest difference of a channel between a pixel and one beside it, as EdgeRays.h defines it.
 double contrastOf(const Frame& frame, const Rays& rays, const std::vector<glm::dvec4>& colours,
                   const Neighbourhood& all, std::size_t i) {
   const auto isOnBorder = [&](std::size_t k) {
@@ -353,7 +352,7 @@ double contrastOf(const Frame& frame, const Rays& rays, const std::vector<glm::d
   return contrast;
 }
 
-/// Makes the first `count` pixels of a picture those with smooth edges.
+/// Makes the edges of the first `count` pixels of a picture smooth.
 void smoothEdges(const Frame& frame, const Rays& rays, double pixelScale, const Neighbourhood& all, std::size_t count,
                  Picture& picture) {
   struct Edge {

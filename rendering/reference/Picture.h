@@ -32,8 +32,8 @@ struct PictureOptions {
 /// One element a pixel, in the order of PictureOptions::pixels.
 struct Picture {
   std::vector<glm::dvec4> focusLayer;      ///< premultiplied RGBA
-  std::vector<glm::dvec4> faintLayer;      ///< the same of all that the opening removes; empty unless it stays faint
-  std::vector<glm::dvec4> protectedLayer;  ///< the same, in front of it; empty without an opening or protected labels
+  std::vector<glm::dvec4> faintLayer;      ///< premultiplied RGBA of all that the opening removes; empty unless it stays faint
+  std::vector<glm::dvec4> protectedLayer;  ///< premultiplied RGBA, in front of it; empty without an opening or protected labels
   /// κ1 ≥ κ2 (1/mm, positive where the surface bends away from lower values), illumination, value (real units); NaN
   /// where there is no surface to draw. Empty when the scene has no context layer.
   std::vector<glm::dvec4> contextLayer;
@@ -53,12 +53,13 @@ Picture picture(const Scene& scene, const Camera& camera, glm::ivec2 size, const
 /// The scene as a view's picture shows it: without smooth edges where the view has none (hasSmoothEdges).
 Scene asDrawn(Scene scene, const View& view);
 
-/// The same of a view, whose opening may be frozen or have an axis offset, and which may have no smooth edges.
+/// The picture of a view, whose opening may be frozen or have an axis offset, and which may have no smooth edges.
 /// `tolerance` as in PictureOptions.
 Picture picture(const Scene& scene, const View& view, double tolerance = 1e-5);
 
-/// The same from given stages 1 to 4. With another renderer's, only its errors of stages 5 to 7 remain in a comparison.
-/// Needs tContext, tFocus and tStart, and tOut where the scene has strokes; nothing when the scene has no cutaway.
+/// The picture from given stages 1 to 4. With another renderer's, only its errors of stages 5 to 7 remain in a
+/// comparison. Needs tContext, tFocus and tStart, and tOut where the scene has strokes; nothing when the scene has no
+/// cutaway.
 Picture picture(const Scene& scene, const Camera& camera, glm::ivec2 size, const Stages& stages,
                 const PictureOptions& options = {});
 

@@ -18,12 +18,12 @@ struct Ray {
 };
 /// The ray through a place of the picture, in pixels from its top left.
 Ray rayThrough(const Camera& camera, glm::ivec2 size, glm::dvec2 place);
-/// The same through the centre of pixel (i, j), j from the top.
+/// The ray through the centre of pixel (i, j), j from the top.
 Ray pixelRay(const Camera& camera, glm::ivec2 size, glm::ivec2 pixel);
-/// Of all pixels, row by row from the top.
+/// The centres of all pixels, row by row from the top.
 std::vector<glm::dvec2> centresOf(glm::ivec2 size);
 
-/// The same ray in index space; t is still in mm, so the direction is not a unit vector.
+/// A ray in index space; t is still in mm, so the direction is not a unit vector.
 Ray indexRay(const Ray& ray, const Grid& grid);
 
 /// Where a ray runs inside the grid's box [-½, dims-½], t ≥ 0.
@@ -31,7 +31,7 @@ struct Span {
   double tIn = 0.0, tOut = 0.0;
 };
 std::optional<Span> clip(const Ray& ray, const Grid& grid);
-/// The same of what half-spaces keep of the box; empty where that is nothing.
+/// Where a ray runs inside the part of the box that half-spaces keep; empty where it misses that part.
 std::optional<Span> clip(const Ray& ray, const Grid& grid, const std::vector<HalfSpace>& kept);
 /// The normal of the half-space by whose plane the ray enters that span; empty where it enters by the box, or starts
 /// inside.
@@ -53,7 +53,7 @@ struct HitPoints {
 /// that are not numbers count as the volume's least finite value, infinite ones as its least or greatest, so that
 /// neither makes a surface of its own.
 HitPoints hitPoints(const Scene& scene, const Camera& camera, glm::ivec2 size);
-/// The same of the rays through some places of the picture, one element each.
+/// First hits of the rays through some places of the picture, one element each.
 HitPoints hitPoints(const Scene& scene, const Camera& camera, glm::ivec2 size, const std::vector<glm::dvec2>& places);
 
 /// Stage 2: pyramid interpolation of the unknown pixels (Strengert, Kraus, Ertl, VMV 2006), known pixels untouched.
@@ -103,14 +103,14 @@ struct Stages {
   Image editOffset, editFactor;
   std::optional<Apart> apart;  ///< where another camera cuts the opening
 };
-/// What the border runs around: known where the ray meets the focus, or a cone opens it.
+/// The area that the border runs around: its values are known where the ray meets the focus, or a cone opens it.
 Image openedBy(const Stages& stages);
 Stages geometricStages(const Scene& scene, const Camera& camera, glm::ivec2 size, double pixelScale = 1.0);
-/// The same of a view, whose opening may be frozen or have an axis offset. Where another camera cuts the opening,
+/// Stages 1 to 4 of a view, whose opening may be frozen or have an axis offset. Where another camera cuts the opening,
 /// tFocusFilled, distance and editOffset stay empty.
 Stages geometricStages(const Scene& scene, const View& view);
 /// Stages 1 to 4 of the rays through some places of a picture, whose pixels have the stages `pixels`: as EdgeRays.h (in
-/// rendering/scene) defines them. One element a ray; `distance` is what the line around the opening goes by.
+/// rendering/scene) defines them. One element a ray; `distance` decides where the line around the opening runs.
 Stages stagesBetween(const Scene& scene, const Camera& camera, glm::ivec2 size, const Stages& pixels, double pixelScale,
                      const std::vector<glm::dvec2>& places);
 

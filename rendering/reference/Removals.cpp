@@ -49,7 +49,7 @@ double boxDistance(const Removal& box, glm::dvec3 p) {
   return least;
 }
 
-/// By how much of a full turn a closed path turns around a line along `axis` through p.
+/// The share of a full turn by which a closed path turns around a line along `axis` through p.
 double turns(const std::vector<glm::dvec3>& path, glm::dvec3 p, glm::dvec3 axis) {
   double sum = 0.0;
   for (std::size_t i = 1; i < path.size(); ++i) {
@@ -110,7 +110,7 @@ double signedDistance(const Removal& removal, glm::dvec3 p) {
   return planeDistance(removal, p);
 }
 
-/// What coverages are found of one by one: the lines of a ball's path, the boxes of a box's.
+/// The parts of a removal whose coverages are found one by one: lines of a ball's path, or boxes.
 std::vector<Removal> partsOf(const Removal& removal) {
   std::vector<Removal> parts;
   const std::vector<glm::dvec3>& points = removal.points;
@@ -176,7 +176,7 @@ FittedPlane planeThrough(const std::vector<glm::dvec3>& points, glm::dvec3 towar
     return plane;
   }
   const glm::dvec3 normal = leastSpread(covariance);
-  // The axis along which they spread most is square to that, and so is the third.
+  // The axis along which the points spread most is square to the normal, and so is the third.
   const double least = glm::dot(normal, covariance * normal);
   glm::dmat3 flat = covariance;
   for (int i = 0; i < 3; ++i) flat[i] = flattened(flat[i], normal);
@@ -190,7 +190,8 @@ FittedPlane planeThrough(const std::vector<glm::dvec3>& points, glm::dvec3 towar
   const double most = 0.5 * trace + root, second = 0.5 * trace - root;
   plane.normal = normal;
   if (!(second > most / 400.0)) {
-    // Most of the spread is along the line: what maps onto it is any vector, by the covariance applied again and again.
+    // Most of the spread is along the line, so that the covariance, applied again and again, turns any vector towards
+    // it.
     glm::dvec3 line(covariance[0] + 0.5 * covariance[1] + 0.25 * covariance[2]);
     for (int i = 0; i < 3; ++i)
       if (glm::length(covariance[i]) > glm::length(line)) line = covariance[i];

@@ -19,7 +19,7 @@ FittedPlane planeThrough(const std::vector<glm::dvec3>& points, glm::dvec3 towar
 /// mm along the plane's normal from the unbent plane to the bent one, where that normal runs through a point.
 double bentHeight(const FittedPlane& plane, const std::vector<Bend>& bends, glm::dvec3 world);
 
-/// 0..1 at a world position of a grid; 0 of removals that remove nothing.
+/// 0..1 at a world position of a grid; 0 where the removals remove nothing.
 double coverage(const Removals& removals, const Grid& grid, glm::dvec3 world);
 
 }  // namespace fenestra::reference

@@ -5,7 +5,7 @@
 
 namespace fenestra::reference {
 
-/// What the strokes make of every pixel, row by row from the top.
+/// The effect of the strokes on every pixel, row by row from the top.
 struct Edits {
   Image offset;  ///< mm that the ray start moved, negative towards the eye; 0 where the ray meets nothing
   Image factor;  ///< of the context layer's opacity where the ray meets the focus, of the border's elsewhere
@@ -15,7 +15,7 @@ struct Edits {
 /// `tStart` is stage 4's (rayStart), before any stroke.
 Edits edits(const BrushStrokes& strokes, const Camera& camera, glm::ivec2 size, const HitPoints& hits,
             const Image& tStart);
-/// The same of the rays through some places of the picture, one element each.
+/// Edits of the rays through some places of the picture, one element each.
 Edits edits(const BrushStrokes& strokes, const Camera& camera, glm::ivec2 size, const HitPoints& hits,
             const Image& tStart, const std::vector<glm::dvec2>& places);
 

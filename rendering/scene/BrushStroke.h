@@ -76,7 +76,7 @@ bool isEffective(const BrushStroke& stroke);
 BrushStrokes strokesIn(int view, const BrushStrokes& strokes);
 
 /// Lengthens a stroke by a point on what was seen (Renderer::pickBrush). False, and nothing done, for a point that is
-/// not finite, or so near to the last one (1/16 of the radius) that it would change nothing to speak of.
+/// not finite, or so near to the last one (1/16 of the radius) that it would hardly change the stroke.
 bool extend(BrushStroke& stroke, glm::dvec3 anchor);
 
 }  // namespace fenestra

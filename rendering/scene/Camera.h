@@ -50,8 +50,8 @@ struct Camera {
   /// Move eye and target together by `right` and `up` mm in the view plane.
   Camera panned(double right, double up) const;
 
-  /// With `point` (world) in the middle of the picture, from the same eye, or in the same direction where rays are
-  /// parallel; empty where it does not lie before the eye.
+  /// This camera with `point` (world) in the middle of the picture, from the same eye, or in the same direction where
+  /// rays are parallel; empty where it does not lie before the eye.
   std::optional<Camera> aimedAt(glm::dvec3 point) const;
 
   /// The second camera of a pair: a quarter turn to this one's right, the patient upright. For an anterior view it

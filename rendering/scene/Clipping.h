@@ -1,7 +1,8 @@
 #pragma once
-// What of a volume 3-D pictures leave out, whatever the camera: all outside a crop box, or behind up to three planes.
+// Which parts of a volume 3-D pictures leave out, whatever the camera: all outside a crop box, or behind up to three
+// planes.
 //
-// The box and the planes are half-spaces, and what all of them keep is convex: of every ray they leave one stretch. All
+// The box and the planes are half-spaces, and what all of them keep is convex: they leave one stretch of every ray. All
 // stages of the method know the volume on that stretch alone. Where a ray enters through a half-space's plane, it meets
 // a capped face, which shows the data that it cuts: what the volume rendering integral sees from there on, lit as a
 // face with the plane's normal as far as the face of an opening is (Lighting.h), or the values in grey.
@@ -59,7 +60,7 @@ struct Clipping {
   bool operator==(const Clipping&) const = default;
 };
 
-/// Six of a box, the planes, and those of a part of an exploded view (Explosion.h).
+/// Six for a box, the planes, and three for a part of an exploded view (Explosion.h).
 inline constexpr std::size_t mostHalfSpaces = 6 + Clipping::mostPlanes + 3;
 /// What clips a volume: the planes, and those faces of the box that lie inside it. Empty where nothing is clipped.
 std::vector<HalfSpace> halfSpaces(const Clipping& clipping, const Grid& grid);

@@ -9,7 +9,7 @@
 
 namespace fenestra {
 
-/// Each cell joins `stride` voxels along each axis, the last one what remains.
+/// Each cell joins `stride` voxels along each axis; the last cell of an axis may have fewer.
 struct CoarseMask {
   glm::ivec3 stride{1}, dims{0};
   std::vector<bool> cells;  ///< x fastest; true: the cell's voxels are in the set

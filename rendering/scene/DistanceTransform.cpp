@@ -15,7 +15,7 @@ class LowerEnvelope {
  public:
   LowerEnvelope(std::size_t length, double spacing) : square_(spacing * spacing), places_(length), bounds_(length) {}
 
-  /// to[i]: at the point first + i · step, from those of the points 0, 1, 2, … .
+  /// to[i]: the squared distance at the point first + i · step, from those at the points 0, 1, 2, … .
   void sample(std::span<const float> from, int first, int step, std::span<float> to) {
     find(from);
     if (last_ < 0) return std::fill(to.begin(), to.end(), std::numeric_limits<float>::infinity());

@@ -31,7 +31,8 @@ inline constexpr std::array<glm::dvec2, 4> sampleOffsets{
     {glm::dvec2(0.4, 0.2), glm::dvec2(-0.2, 0.4), glm::dvec2(-0.4, -0.2), glm::dvec2(0.2, -0.4)}};
 /// Width in pixels of the box that stands for a sample.
 inline constexpr double sampleWidth = 0.2;
-/// Of a channel, 0..1. A scan's texture is full of smaller steps, and each pixel costs four rays.
+/// Contrasts of a channel, 0..1, at which w begins to grow and reaches 1. A scan's texture is full of smaller steps,
+/// and each pixel with w > 0 costs four rays.
 inline constexpr double leastContrast = 64.0 / 255.0, fullContrast = 96.0 / 255.0;
 inline constexpr double outline = 2.0;
 /// Pixels: between two of them, and a little more.

@@ -14,9 +14,9 @@ namespace fenestra {
 /// The context's transfer function at a point is that of its nearest voxel's label: the volume's function, or for a
 /// label listed here that function at its opacity (see atOpacity).
 struct FaintLabels {
-  /// Ascending, each once. Of more than `most` different ones, each is rounded to a whole multiple of 1/(most + 1).
+  /// Ascending, each once. Where more than `most` differ, each is rounded to a whole multiple of 1/(most + 1).
   std::vector<double> opacities;
-  /// Ascending by label; with a number from 1 on, of opacities[number - 1].
+  /// Labels, ascending, each with a number from 1 on: the label has opacities[number - 1].
   std::vector<std::pair<std::uint16_t, std::uint8_t>> numbers;
 
   static constexpr std::size_t most = 127;
@@ -30,7 +30,7 @@ struct FaintLabels {
 
 FaintLabels faintLabels(const Scene& scene);
 
-/// The context's functions, by those numbers: the volume's (shifted), and the same at each of the opacities.
+/// The context's functions, by those numbers: the volume's (shifted), then that function at each of the opacities.
 std::vector<TransferFunction> contextFunctions(const Scene& scene, const FaintLabels& faint);
 
 }  // namespace fenestra

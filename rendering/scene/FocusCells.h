@@ -19,10 +19,10 @@ struct FocusCells {
 };
 
 /// Cells whose corner values overlap `focus.values`, without 26-connected components smaller than
-/// `focus.minimumComponent` (the number of cells times the voxel's volume). Of a spline also the cells around those
-/// whose own corner values do not overlap: it may reach into the range between the corners. Where air belongs to the
-/// range, without the cells at whose corners something is removed: what is gone is no focus, although its value is that
-/// of air.
+/// `focus.minimumComponent` (the number of cells times the voxel's volume). A spline may reach into the range
+/// between the corners, so the cells around these are kept, too, although their own corner values do not overlap. Where
+/// air belongs to the range, cells at whose corners something is removed are left out: removed voxels have the value of
+/// air, but are no focus.
 FocusCells focusCells(const ShownVolume& shown, const ValueFocus& focus);
 
 }  // namespace fenestra

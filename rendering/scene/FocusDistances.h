@@ -21,9 +21,9 @@ struct FocusDistances {
   float at(glm::ivec3 point) const;
 };
 
-/// Of a lattice of no more points than `most`. `scene` has a volume.
+/// Distances on a lattice of at most `most` points. `scene` has a volume.
 FocusDistances focusDistances(const Scene& scene, std::size_t most);
-/// Of the lattice that pictures are made with: of at most 2^24 points, or 2^21 of a sheared grid.
+/// Distances on the lattice that pictures use: at most 2^24 points, or 2^21 on a sheared grid.
 FocusDistances focusDistances(const Scene& scene);
 
 }  // namespace fenestra

@@ -1,5 +1,6 @@
 #pragma once
-// Which voxels of a scene are in focus: those of its labels, or of a value in its range that its islands hold.
+// Which voxels of a scene are in focus: those with one of its labels, or with a value in its range inside an island
+// that is kept.
 
 #include <cstdint>
 #include <optional>
@@ -15,7 +16,7 @@ struct Scene;
 class FocusVoxels {
  public:
   FocusVoxels() = default;
-  /// Of the shown volume (Scene.h). A scene that does not open its focus has one, too. Runs on all cores.
+  /// Finds the focus of the shown volume (Scene.h), also in a scene that does not open it. Runs on all cores.
   explicit FocusVoxels(const Scene& scene);
 
   bool holds(glm::ivec3 voxel) const {
@@ -23,7 +24,7 @@ class FocusVoxels {
     return !glm::any(glm::lessThan(in, glm::ivec3(0))) && !glm::any(glm::greaterThanEqual(in, size_)) &&
            held_[offset(in)] != 0;
   }
-  /// A box around them, and which of its voxels they are, x fastest: 0 for others.
+  /// A box around the voxels in focus, and for each voxel of the box, x fastest, whether it is one: 0 if not.
   glm::ivec3 low() const { return low_; }
   glm::ivec3 size() const { return size_; }
   std::span<const std::uint8_t> flags() const { return held_; }

@@ -12,7 +12,7 @@
 namespace fenestra {
 namespace {
 
-/// Voxels are looked at in blocks; one of which little shows is noise in the air.
+/// Voxels are looked at in blocks; a block with few visible voxels is noise in the air.
 struct Blocks {
   int side = 1;          ///< voxels
   int rowStep = 1;       ///< of large blocks, every other row is looked at

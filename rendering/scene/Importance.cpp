@@ -37,7 +37,7 @@ std::vector<std::vector<std::uint16_t>> importanceLevels(const Scene& scene) {
   for (const std::uint16_t label : labels)
     for (int level = std::clamp(importanceOf(scene, label), 0, mostImportant); level > 0; --level)
       ofLevelOrMore[static_cast<std::size_t>(level)].push_back(label);
-  // A level that no label has is the next higher one.
+  // A level that no label has is left out: its set is that of the next higher one.
   std::vector<std::vector<std::uint16_t>> levels;
   for (std::size_t level = 1; level < ofLevelOrMore.size(); ++level)
     if (!ofLevelOrMore[level].empty() && (levels.empty() || levels.back() != ofLevelOrMore[level]))

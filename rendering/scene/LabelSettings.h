@@ -28,7 +28,7 @@ struct LabelSetting {
   bool visible = true;                  ///< off: slices do not tint it, 3-D pictures do not draw it in focus or keep it
   double opacity = 1.0;                 ///< 0..1: see opticalExtinction; also of its tint on slices
   std::optional<glm::dvec3> colour{};   ///< display RGB 0..1, in place of the label map's
-  /// Of it in focus: colour and extinction by value, in place of one material. See focusFunction.
+  /// Colour and extinction by value while the label is in focus, in place of one material. See focusFunction.
   std::optional<TransferFunction> function{};
   std::optional<int> importance{};  ///< 0 to mostImportant; empty: mostImportant in focus, else 0
 

@@ -21,7 +21,7 @@ void LightPreset::applyTo(Shading& shading) const {
 
 std::span<const LightPreset> lightPresets() {
   constexpr Shading own;
-  // What a surface facing the light gives back is 1 without its highlight, so that colours stay what they are.
+  // A surface that faces the light gives back 1 without its highlight, so that colours stay what they are.
   static constexpr std::array<LightPreset, 5> presets{{
       {"standard", "Standard", "A little gloss", own.ambient, own.diffuse, own.specular, own.shininess},
       {"matte", "Matte", "Without highlights, as plaster", 0.25, 0.75, 0.0, 1.0},

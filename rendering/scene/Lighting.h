@@ -4,7 +4,7 @@
 // At every voxel, the world-space gradient by central differences of the stored values (one-sided at the volume's
 // border) gives a unit normal n and a gate g = smoothstep(gradientGateLow, gradientGateHigh, |gradient| · finest
 // spacing / value range): below the first a gradient is noise. Between voxels the vectors g·n are interpolated
-// trilinearly to V. Of a spline, the gradient is its own at the voxels' centres, and V the B-spline of the vectors g·n
+// trilinearly to V. For a spline, the gradient is its own at the voxels' centres, and V the B-spline of the vectors g·n
 // (SplineVectors): normals at every point of the spline would turn too fast where the gradient vanishes. Lighting by
 // V's direction fades in with its length: certainty = smoothstep(0, certainLength, |V|), over the light that a surface
 // of average orientation gets. A label focus has the smoothed indicator's normal instead (see GpuScene::focusSmooth),

@@ -53,7 +53,7 @@ struct Shading {
   double lightAzimuth = -19.290046219188735;   ///< degrees; with the elevation, 0.35 to the left and 0.45 up for every
   double lightElevation = 23.012691498169566;  ///< 1 towards the viewer
   double occlusion = 0.0;                      ///< share of the ambient light that surroundings hide; see Occlusion.h
-  double shadow = 0.0;                         ///< share of the light of the source that what lies before it hides
+  double shadow = 0.0;                         ///< share of the source's light that the volume before a point hides
   bool operator==(const Shading&) const = default;
 };
 

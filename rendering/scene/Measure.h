@@ -52,7 +52,7 @@ struct MeasureValues {
 /// sliceValues() gives them; pixels without a value do not count.
 MeasureValues valuesOf(const Measure& measure, const Volume& volume);
 
-/// Where a measure can be grabbed: its points; of a region the four corners, of an ellipse the ends of its axes.
+/// Where a measure can be grabbed: its points; a rectangle's four corners, the ends of an ellipse's axes.
 std::vector<glm::dvec3> handlesOf(const Measure& measure);
 /// The measure with a handle moved to a point of its plane.
 Measure withHandleAt(Measure measure, std::size_t handle, glm::dvec3 world);

@@ -46,20 +46,20 @@ enum class ImportanceMode : std::uint8_t { Maximum, Average };
 /// How what lies before the focus is made faint.
 enum class Sparseness : std::uint8_t { Opacity, Colour, ScreenDoor };
 
-/// What decides within ClearView's lens, beside the context's bends, how much of the context stays: how far it lies
-/// from the lens's middle; nothing else; how much of it lies in front of the focus.
+/// What decides how much of the context stays within ClearView's lens, beside the context's bends: its distance from
+/// the lens's middle; nothing else; how much of it lies in front of the focus.
 enum class LensFade : std::uint8_t { Distance, Curvature, Depth };
 
 /// Whether ClearView's lens lies over the middle of the focus or over the crosshair, which follows the last pick.
 enum class LensPlace : std::uint8_t { OverFocus, OverCrosshair };
 
-/// Of a focal region. The box is a cube along the patient's axes; Distance follows the shape of the focus.
+/// Shape of a focal region. The box is a cube along the patient's axes; Distance follows the shape of the focus.
 enum class FocalShape : std::uint8_t { Sphere, Box, Distance };
 
 /// Where the slices of Walls stand: around the volume (ExoVis of its authors), or where they lie in the patient, inside
 /// the opening (in-place).
 enum class WallPlacement : std::uint8_t { Around, Inside };
-/// Of an exploded view: how many planes cut the volume into parts, and along what the planes lie.
+/// How many planes cut the volume of an exploded view into parts, and what the planes follow.
 enum class ExplosionPlanes : std::uint8_t { One, Two, Three };
 enum class ExplosionAxes : std::uint8_t { Patient, View };
 /// The side of the patient that a layer is peeled off.
@@ -93,7 +93,7 @@ struct Method {
   ExplosionPlanes explosionPlanes = ExplosionPlanes::Two;
   ExplosionAxes explosionAxes = ExplosionAxes::Patient;
   double ghostStrength = 1.0;  ///< of Selection, 0..1: the share of what is flat that gives way; 0 fades nothing
-  double ghostEdge = 10.0;     ///< % of the steepest gradient, 0.01 to 1000: of it half stays
+  double ghostEdge = 10.0;     ///< % of the steepest gradient, 0.01 to 1000: half of it stays
   double ghostOutline = 0.5;   ///< 0..1: the share of edges that face the eye that gives way, too
   double peel = 1.0;           ///< of Peel: 0, the layer lies in its place, to 1, nothing of it lies before the focus
   PeelSide peelSide = PeelSide::Anterior;
@@ -107,8 +107,8 @@ struct Method {
 /// What a method decides on in a picture of an opening. All else is the same for every method: hits, brush, integral,
 /// context layer, border.
 ///
-/// Of what the opening removes, E (premultiplied colour, of opacity a), a method may keep a share w per pixel, laid
-/// over what the ray shows behind it, F:
+/// A method may keep a share w per pixel of what the opening removes, E (premultiplied colour, of opacity a). It is
+/// laid over what the ray shows behind it, F:
 ///
 ///   w E + (1 - w a) F  =  w (E + (1 - a) F) + (1 - w) F
 ///
@@ -128,8 +128,8 @@ struct MethodStages {
   bool hasLevels = false;     ///< labels may have several levels of importance (Importance.h); else the focus has one
   double faintOpacity = 0.0;  ///< w, the same everywhere; 0: nothing of what the opening removes shows
   Sparseness sparseness = Sparseness::Opacity;
-  /// Where w is a lens's: of the context's first surface, at P, n its normal in the view's axes, or 0 where there is
-  /// none,
+  /// Where a lens decides on w: with P the place where the ray meets the context's first surface, and n the surface's
+  /// normal in the view's axes, or 0 where it has none,
   ///
   ///   κ = ‖Σ |n_i - n|‖     over the four pixels beside, those beyond the picture left out, |·| of each component
   ///   d = ‖P - middle‖ / radius
@@ -186,7 +186,7 @@ struct MethodStages {
   /// So the region shows as it is, and around it the contours, in proportion to the gradient, the fainter the farther
   /// outside. Its authors, too, draw contours by the gradient outside of the region; this formula is the program's own.
   ///
-  /// Of a ghost, m is less than 1 only where the opening removes something, before the ray's start: on rays that meet
+  /// With a ghost, m is less than 1 only where the opening removes something, before the ray's start: on rays that meet
   /// the focus, and on those that start behind the context's first surface; where another camera cuts the opening, also
   /// in the hole behind that (rendering/passes/RemovedPass.h). There, with v the ray's direction and ‖∇f‖ not limited
   /// to 1,
@@ -196,9 +196,9 @@ struct MethodStages {
   ///
   /// ∇f in units of steepestSlope(). So what is flat gives way, edges stay, and with `outline` those that face the eye
   /// give way in favour of those seen from the side: 1 - (n·v)² of them stays. A quotient of polynomials along the ray
-  /// has no kink where a gradient is 0, saturates, or is seen edge on. That a selection is kept in sight by ghosting
-  /// what lies before it, and that edges tell what of that stays, is its authors'; this formula is the program's own,
-  /// and so is that the ghost fills the opening that rises from the selection to the surface around it.
+  /// has no kink where a gradient is 0, saturates, or is seen edge on. Its authors, too, keep a selection in sight by
+  /// ghosting what lies before it, and let edges decide what stays of that. This formula is the program's own, and so
+  /// is the shape of the ghost: it fills the opening that rises from the selection to the surface around it.
   struct Fading {
     double reach = 0.0, sharpness = 1.0;  ///< neither around a region nor of a ghost
     struct Region {
@@ -253,7 +253,7 @@ struct MethodStages {
   std::optional<Peel> peel{};
   bool hasBorder = true;  ///< w_border says how wide the line around the opening is; else it counts as 0
 
-  /// Something of what the opening removes may show.
+  /// Whether some of what the opening removes may show.
   bool keepsRemoved() const { return faintOpacity > 0.0 || lens; }
   bool operator==(const MethodStages&) const = default;
 };
@@ -262,7 +262,7 @@ MethodStages stagesOf(const Method& method);
 /// mm. The volume's longest side is that of its box along an index axis, half a voxel around the voxels' centres.
 double radiusOf(const MethodStages::Lens& lens, const Grid& grid);
 
-/// The share of what the opening removes that shows at a pixel, (i, j) from the top left: of ScreenDoor 1 on as many
+/// The share of what the opening removes that shows at a pixel, (i, j) from the top left: with ScreenDoor 1 on as many
 /// pixels of each 8×8 square as `opacity` asks for, in the order of Bayer's ordered dither, and 0 on the others; else
 /// `opacity`.
 double faintShare(Sparseness sparseness, double opacity, int i, int j);

@@ -194,7 +194,7 @@ class Absorber {
     bool givesWay = false;  ///< to labels in focus that are more important
   };
 
-  /// Of the focus at a voxel; null where it is not in the focus.
+  /// Material of the focus at a voxel; null where the voxel is not in focus.
   const Material* focusAt(std::size_t offset, glm::ivec3 voxel, double value) const {
     int material = none;
     if (!ofLabel_.empty()) material = ofLabel_[focusLabels_.at(offset)];

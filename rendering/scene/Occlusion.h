@@ -5,9 +5,9 @@
 // Medium. Cells of whole voxels, mostCells of them at most along an axis, hold the mean extinction (1/mm) of their
 // voxels: each counts with the extinction of its own value, of the focus or of the context's function at it; what lies
 // outside the volume counts as empty. The mean counts up to mostDepth a cell: more is as good as opaque. Hidden labels
-// and the table are air. Of the part that an opening removes nothing counts, nor of what is clipped, unless a label is
-// protected or exempt from it: both are found at eight points of a cell (see visibleShare() and clippedShare()), and
-// the cell's extinction is the mean of what is seen there.
+// and the table are air. What an opening removes does not count, nor does what is clipped, unless its label is
+// protected from the one or exempt from the other: both are found at eight points of a cell (see visibleShare() and
+// clippedShare()), and the cell's extinction is the mean of what is seen there.
 //
 // Field. At the centre x of each cell, with the side h of a cubic cell of the same volume,
 //
@@ -26,10 +26,10 @@
 // the scene.
 //
 // The means are over a fixed number of directions, which makes the integrals exact sums along straight lines through
-// cells. What that leaves of the continuous integrals, as tests/unit/OcclusionTest measures it: on the surface of a
-// bumpy body with a pit, A differs from the mean over all directions by 0.04 RMS, S by 0.005. Cells blur a surface that
-// runs through them: near it the mean of T is off by up to 0.014 where a cell's side has an optical depth of 0.2, and
-// by up to 0.08 where it has 2.
+// cells. They differ from the continuous integrals, as tests/unit/OcclusionTest measures: on the surface of a bumpy
+// body with a pit, A differs from the mean over all directions by 0.04 RMS, S by 0.005. Cells blur a surface that runs
+// through them: near it the mean of T is off by up to 0.014 where a cell's side has an optical depth of 0.2, and by up
+// to 0.08 where it has 2.
 
 #include <array>
 #include <vector>
@@ -38,8 +38,8 @@
 
 namespace fenestra {
 
-/// Whether a look's pictures have either. A context that fades has neither: how much of it shows depends on the ray.
-/// Nor has an exploded view, whose parts would bring along the shade of their old places.
+/// Whether a look's pictures have ambient occlusion or a soft shadow. A context that fades has neither: how much of it
+/// shows depends on the ray. Nor has an exploded view, whose parts would bring along the shade of their old places.
 bool hasOcclusion(const Look& look);
 
 namespace occlusion {
@@ -57,7 +57,7 @@ struct Directions {
   int around = 24, towardsLight = 8;
   bool operator==(const Directions&) const = default;
 };
-/// Of a picture that is soon replaced.
+/// Fewer directions, for a picture that is soon replaced.
 inline constexpr Directions draftDirections{10, 3};
 
 /// Unit vectors, spread evenly (spherical Fibonacci points): all around, or within `radius` degrees of a direction.
@@ -71,7 +71,7 @@ struct Weight {
   double upTo(double s) const { return ramp(s, from, to) - ramp(s, fadeFrom, fadeTo); }
   static double ramp(double s, double from, double to);
 };
-/// Where nothing fades; farther than any ray gets.
+/// End of a weight that never fades: farther than any ray gets.
 inline constexpr double nowhere = 1e30;
 Weight nearWeight(double side);
 Weight farWeight(double side);
@@ -80,11 +80,11 @@ Weight farWeight(double side);
 /// grid of pixels shares, so that in a view along the volume's axes no plane of points lies between two rows of pixels.
 glm::dvec3 pointInCell(int i);
 
-/// What of a point's surroundings the opening leaves, 0 to 1. `start` and `context`: where the ray that runs through
-/// the point starts to see and where it meets the context; `at`: where on it the point lies; all in mm along the ray.
-/// `width`: mm over which an edge is softened, so that rounding cannot switch a point.
+/// Share of a point's surroundings that the opening leaves, 0 to 1. `start` and `context`: where the ray that runs
+/// through the point starts to see and where it meets the context; `at`: where on it the point lies; all in mm along
+/// the ray. `width`: mm over which an edge is softened, so that rounding cannot switch a point.
 double visibleShare(double at, double start, double context, double width);
-/// What of them clipping leaves. `distance`: mm before a plane.
+/// Share of them that clipping leaves. `distance`: mm before a plane.
 double clippedShare(double distance, double width);
 
 }  // namespace occlusion

@@ -8,7 +8,7 @@
 
 namespace fenestra {
 
-/// Of a view's picture, row by row from the top: where its rays meet the context, and where they start to see. t in mm
+/// Where the rays of a view's picture meet the context, and where they start to see; row by row from the top. t in mm
 /// along the pixel's ray (see Camera), NaN where there is nothing.
 struct RayStarts {
   Camera camera;

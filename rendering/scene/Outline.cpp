@@ -78,8 +78,8 @@ class Crossings {
  private:
   std::size_t columns() const { return static_cast<std::size_t>(width_) + 2; }
   std::size_t rows() const { return static_cast<std::size_t>(height_) + 2; }
-  /// Of a side of the cell whose top left corner is pixel (x, y): twice the number of the pixel that the side starts
-  /// at, and one more where it runs down.
+  /// Number of a side of the cell whose top left corner is pixel (x, y): twice the number of the pixel at which the
+  /// side starts, plus one where the side runs down.
   std::size_t index(int x, int y, int side) const {
     const auto column = static_cast<std::size_t>(x + 1 + (side == Right)),
                row = static_cast<std::size_t>(y + 1 + (side == Bottom));

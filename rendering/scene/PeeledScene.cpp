@@ -35,8 +35,8 @@ Wider widened(const Grid& grid, const Peel& peel) {
 
 using Part = Peel::Part;
 
-/// Calls use(voxel of the wider grid, its part) for each voxel; the part is empty where it and the voxels that touch
-/// its corners are of several.
+/// Calls use(voxel of the wider grid, its part) for each voxel; the part is empty where the voxel and those that touch
+/// its corners belong to several.
 template <class Use>
 void forEachVoxel(const Wider& to, const Peel& peel, const Use& use) {
   const glm::ivec3 dims = to.grid.dims, around = dims + 2;  // and a voxel beyond each side

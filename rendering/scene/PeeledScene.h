@@ -1,12 +1,12 @@
 #pragma once
 // A scene with a layer peeled off, as plain voxels that every pass draws without knowing of it.
 //
-// Voxels lie where the volume's own do, and as many more on each side as the rolled layer needs. Of those:
+// Voxels lie where the volume's own do, and as many more on each side as the rolled layer needs. Their values:
 //
 // - a voxel in focus keeps its value, as does one in place (Peel::Part) with the eight voxels that touch its corners;
 // - one that lies in the same half of the layer as those has the trilinear value at its centre's source, in which
 //   voxels in focus count as air, because the focus does not move along;
-// - of any other, the value is the mean over 4³ places, half a voxel apart, around its centre: its own value in place,
+// - any other voxel has the mean over 4³ places, half a voxel apart, around its centre: its own value in place,
 //   the value at the source in the layer, and air where nothing shows. So faces rise over two voxels, and have no
 //   steps.
 //

@@ -143,7 +143,7 @@ void resolve(std::vector<BodyInterval>& intervals, std::vector<double>& ends, st
   }
 }
 
-/// The bodies that a line meets, of those that `takesPart` picks.
+/// The bodies that a line meets, among those that `takesPart` picks.
 template <class TakesPart>
 std::vector<Phantom::Segment> segmentsAlong(const std::vector<PhantomBody>& bodies, glm::dvec3 origin,
                                             glm::dvec3 unitDirection, const TakesPart& takesPart) {
@@ -186,7 +186,7 @@ class RowCaster {
     return intervals_;
   }
 
-  /// The same, cut into disjoint segments.
+  /// That line, cut into disjoint segments.
   const std::vector<Phantom::Segment>& segments(double y) {
     intervals(y);
     resolve(intervals_, ends_, segments_);

@@ -13,7 +13,7 @@ namespace fenestra::placement {
 struct Weights {
   double visibility = -0.02, coverage = 16.0, location = 0.5;
   double entropy = 0.0, mutualInformation = 0.0, stability = 0.0;
-  double orientation = 0.02;  ///< small: of equally good views the one nearest to a standard view is taken
+  double orientation = 0.02;  ///< small: among equally good views the one nearest to a standard view is taken
   double endFace = -1.0;      ///< 0: end faces are not measured
   bool operator==(const Weights&) const = default;
 };

@@ -18,7 +18,7 @@ constexpr double unbounded = std::numeric_limits<double>::infinity();
 /// mm, negative inside.
 using Distance = std::function<double(glm::dvec3 world)>;
 
-/// Of a removal's part: its signed distance, and what of the world it lies in.
+/// A part of a removal: its signed distance, and the box of the world that holds it.
 struct Solid {
   Distance distance;
   glm::dvec3 low{-unbounded}, high{unbounded};  ///< world mm, without the rim
@@ -36,7 +36,7 @@ double distanceToLine(Vector p, Vector a, Vector b) {
   return glm::length(p - (a + t * along));
 }
 
-/// Of a box around the origin by half its sides.
+/// Signed distance to a box around the origin, by half its sides.
 template <class Vector>
 double distanceToBox(Vector p, Vector half) {
   const Vector beyond = glm::abs(p) - half;
@@ -131,7 +131,7 @@ Solid solidOf(const Removal& part) {
   return planeOf(part);
 }
 
-/// Each line of a ball's path and each box of a box's is a part of its own: it lies in little of the volume.
+/// Each line of a ball's path and each box of a box's is a part of its own, so that each covers little of the volume.
 void addParts(const Removal& removal, std::vector<Removal>& parts) {
   const std::size_t count = removal.points.size();
   const bool isBall = removal.shape == RemovalShape::Ball;
@@ -158,7 +158,7 @@ double widestRim(const Removal& part, const Grid& grid) {
   return std::max(part.softness, 2.0 * glm::length(grid.spacing));
 }
 
-/// What of the grid a part can reach.
+/// The voxels of the grid that a part can reach.
 VoxelSpan spanOf(const Removal& part, const Solid& solid, const Grid& grid) {
   const double rim = widestRim(part, grid);
   if (!std::isfinite(solid.low.x)) return {glm::ivec3(0), grid.dims};
@@ -192,7 +192,7 @@ struct Spread {
 /// and the eigenvalues; the greatest first.
 std::pair<glm::dmat3, glm::dvec3> eigenvectorsOf(glm::dmat3 a) {
   glm::dmat3 vectors(1.0);
-  constexpr int sweeps = 24;  // each squares what is left beside the diagonal
+  constexpr int sweeps = 24;  // each squares the size of the elements off the diagonal
   for (int sweep = 0; sweep < sweeps; ++sweep)
     for (const auto& [p, q] : {std::pair(0, 1), std::pair(0, 2), std::pair(1, 2)}) {
       if (a[p][q] == 0.0) continue;

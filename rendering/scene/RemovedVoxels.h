@@ -7,11 +7,10 @@
 //   coverage = clamp(½ - d / max(softness, 2 w), 0, 1)
 //   w = min(√Σ (d(½ voxel on along axis i) - d(½ voxel back))², √Σ spacing_i²)
 //
-// of all of these the greatest. w is how much d changes across a voxel: one spacing, where the surface is square to its
-// axis. So the surface is the coverage's ½ level, and has no steps even with a hard rim: the rim spans the two voxels
-// between which the level is interpolated.
-// A voxel's value becomes the mix of its own and of air (ShownVoxels); a voxel whose coverage is above ½ leaves the
-// focus and has no label.
+// and the greatest of all of these counts. w is how much d changes across a voxel: one spacing, where the surface is
+// square to its axis. So the surface is the coverage's ½ level, and has no steps even with a hard rim: the rim spans
+// the two voxels between which the level is interpolated. A voxel's value becomes the mix of its own and of air
+// (ShownVoxels); a voxel whose coverage is above ½ leaves the focus and has no label.
 
 #include <cstdint>
 #include <memory>

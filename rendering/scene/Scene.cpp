@@ -10,7 +10,7 @@
 namespace fenestra {
 namespace {
 
-/// Of a label outside the focus.
+/// Role in which a label outside the focus is shown: at opacity 0 it is hidden.
 LabelRole shownRole(const LabelSetting& setting) { return setting.opacity > 0.0 ? setting.role : LabelRole::Hidden; }
 
 /// Whether a label of structuresOf(scene) is in focus.

@@ -14,7 +14,7 @@ struct Scene {
   std::shared_ptr<const Volume> volume;
   std::shared_ptr<const LabelMap> labels;  ///< may be null; same grid dims as the volume
   Look look;
-  /// Where the scanner's table is: of no cells where there is none, null where nobody looked for one.
+  /// Cells that hold the scanner's table: an empty set where the scan shows none, null before the search for it.
   std::shared_ptr<const CoarseMask> table = nullptr;
   /// The label map that look.labels is about, where `labels` holds a region in focus instead; null: `labels`.
   std::shared_ptr<const LabelMap> structures = nullptr;
@@ -28,9 +28,9 @@ struct Scene {
 /// removed. Slices show all.
 ShownVolume shownVolume(const Scene& scene);
 
-/// The look's reconstruction, of Auto what that stands for: Smooth where the voxels are wider than the pixels of a
-/// picture of the whole volume and mostSplineVoxels at most; else Linear. No camera counts, so that pictures do not
-/// change their kind.
+/// The look's reconstruction. Auto stands for Smooth where the voxels are wider than the pixels of a picture of the
+/// whole volume and mostSplineVoxels at most, else for Linear. It does not depend on the camera, so that pictures do
+/// not change their kind.
 Reconstruction reconstructionOf(const Scene& scene);
 /// Some 180³. On the device a lit voxel of a spline takes up to 190 bytes, so these take about 1 GiB.
 inline constexpr std::size_t mostSplineVoxels = 5'800'000;
@@ -54,7 +54,7 @@ OpticalProperties focusMaterial(const Scene& scene, std::uint16_t label);
 /// is that of the nearest voxel, as it is for materials. A label's opacity changes the extinction of each node, see
 /// opticalExtinction; its colour is for slices then. The labels of a grown region have the region's function.
 std::optional<TransferFunction> focusFunction(const Scene& scene, std::uint16_t label);
-/// The same of a focus of values.
+/// Colour and extinction by value of a focus of values; empty where it is of one material.
 const std::optional<TransferFunction>& focusFunction(const Scene& scene);
 /// Whether some of the focus is shown by value.
 bool hasFocusFunction(const Scene& scene);

@@ -1,5 +1,5 @@
 #pragma once
-// What a click on a picture means: of all that its ray passes, the thing that shows most.
+// What a click on a picture means: the thing that shows most among all that its ray passes.
 
 #include <optional>
 
@@ -8,8 +8,8 @@
 namespace fenestra {
 
 /// The point of the structure that contributes most opacity to a ray: a translucent skin before a bone is not what is
-/// seen there. `start` (world mm) is where the ray starts to see, `direction` a unit vector. Of the `removed` mm before
-/// it, which the opening removes, the protected labels are seen. Empty where the ray shows nothing.
+/// seen there. `start` (world mm) is where the ray starts to see, `direction` a unit vector. In the `removed` mm
+/// before `start`, which the opening removes, only protected labels are seen. Empty where the ray shows nothing.
 ///
 /// After Wiebel, Vos, Foerster, Hege, "WYSIWYP: What You See Is What You Pick", IEEE TVCG 18(12), 2012: the accumulated
 /// opacity rises in one stretch for each thing on the ray, and the longest rise is what is seen. The point lies where

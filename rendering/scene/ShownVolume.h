@@ -29,8 +29,8 @@ struct ShownVolume {
 };
 
 /// Reads the voxels. A hidden voxel has the value of air, -1000 HU, or the volume's least value where that is more or
-/// there are no Hounsfield units; darker voxels stay as they are. Of a voxel that is removed in part, the value is the
-/// mix of its own and of that one. Lasts no longer than the shown volume.
+/// there are no Hounsfield units; darker voxels stay as they are. A voxel that is removed in part has a mix
+/// of its own value and of that one. Lasts no longer than the shown volume.
 class ShownVoxels {
  public:
   explicit ShownVoxels(const ShownVolume& shown);

@@ -41,7 +41,7 @@ SliceGeometry sliceGeometry(const Grid& grid, SlicePlane plane);
 
 /// Real values of a slice, row by row from the top, width·height of them; NaN outside the volume.
 std::vector<float> sliceValues(const Volume& volume, const SliceGeometry& geometry, int slice);
-/// The same values one by one, in double precision. The volume outlives this.
+/// Reads the values of a slice one by one, in double precision. The volume must outlive this.
 class SliceSampler {
  public:
   SliceSampler(const Volume& volume, const SliceGeometry& geometry, int slice);

@@ -11,7 +11,8 @@ namespace {
 
 constexpr int side = TileMap::side;
 constexpr int level = 32768;  ///< from here on a voxel is inside
-/// Of the values from the level, in 65535ths: less would leave a surface that all but touches a voxel's centre.
+/// Least difference of a value from the level, in 65535ths: less would leave a surface that all but touches a voxel's
+/// centre.
 constexpr int margin = 512;
 
 constexpr float leastChange = 0.25f;  ///< of a cell's part; a flat surface's is 2 and more
@@ -32,8 +33,8 @@ struct CellPart {
   float change = 0.0f;  ///< of that share with values greater by 1, to first order
 };
 
-/// Places and weights of a rule by Gauss and Legendre on [0, 1]. Of even numbers: none is halfway between two voxels,
-/// where the 0/1 indicator's level often is.
+/// Places and weights of a Gauss-Legendre rule on [0, 1]. Their number is even, so that no place is halfway between two
+/// voxels, where the 0/1 indicator's level often is.
 template <std::size_t points>
 struct Rule {
   std::array<float, points> places, weights;
@@ -72,13 +73,13 @@ CellPart partInside(const std::array<float, 8>& f, const Rule<points>& rule) {
       part.change += change;
     }
   }
-  // Of a corner that the rule misses, too: values could not be shifted to bring it back.
+  // A corner that the rule misses must count, too: without a change, no shift of the values would bring it back.
   part.change = std::max(part.change, leastChange);
   return part;
 }
 
-/// Volumes of the 0/1 indicator's cells, by their corners inside. By the same rule as those that are held against them:
-/// its errors are alike where shapes are.
+/// Volumes of the 0/1 indicator's cells, by their corners inside. The smoothed cells that are compared with them must
+/// use the same rule: its errors are then alike where the shapes are.
 template <std::size_t points>
 const std::array<float, 256>& volumesOfCells(const Rule<points>& rule) {
   static const std::array<float, 256> volumes = [&] {
@@ -105,7 +106,7 @@ class Smoothing {
   /// Finds by blocks of cells how much more than the 0/1 indicator's surface the surface encloses.
   template <std::size_t points>
   void measure(const Rule<points>& rule);
-  /// As exactly as a thin structure needs; of a large surface's many cells, errors cancel.
+  /// Measures as exactly as a thin structure needs; in a large surface's many cells, errors cancel.
   void measureWell() {
     constexpr std::size_t large = 4096;  // tiles
     cut_ < large ? measure(fine) : measure(coarse);
@@ -119,7 +120,7 @@ class Smoothing {
   /// Sets each tile's slot: 0 or 1 where its voxels are alike, else `mixed`.
   template <class T>
   void findTiles(std::span<const T> labels);
-  /// Lists the tiles that are mixed or touch one that is not as they are.
+  /// Lists the tiles that are mixed or touch a tile that differs from them.
   void findActive();
   /// Calls work(number, first voxel) for the tiles with the numbers below `count`.
   template <class Work>
@@ -143,8 +144,8 @@ class Smoothing {
   std::vector<std::uint8_t> wanted_;  ///< by label
   std::vector<glm::ivec3> active_;    ///< tiles with values of their own; those with a cell that is cut come first
   std::size_t cut_ = 0;               ///< number of those
-  /// Sums over the blocks of those tiles, a cell in that of its last corner: how much more is inside than of the 0/1
-  /// indicator, in cells, and by how much more with values greater by 1.
+  /// Sums over the blocks of those tiles, where a cell counts in the block of its last corner: by how many cells more
+  /// is inside than with the 0/1 indicator, and how many more would be with values greater by 1.
   std::vector<glm::vec2> parts_;
   std::vector<float> volumes_;  ///< inside the 0/1 indicator's surface
 };
@@ -322,7 +323,7 @@ void Smoothing::shiftNear() {
     for (std::size_t at = 0; at < sums.size(); ++at) sums[at] = sum(alongY.data() + at, n * n);
     return sums;
   };
-  // Of a place along an axis, the block before it and the share of the one behind.
+  // A place along an axis lies between two blocks: the number of the one before it, and the share of the one behind it.
   const auto blockBefore = [](int at) { return static_cast<std::size_t>((at + blockSide - 1) / blockSide); };
   const auto shareBehind = [](int at) { return static_cast<float>((at + blockSide - 1) % blockSide) / blockSide; };
   forTiles(active_.size(), [&](std::size_t tile, glm::ivec3 low) {

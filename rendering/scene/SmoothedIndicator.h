@@ -23,7 +23,7 @@ struct TileMap {
   std::size_t offset(glm::ivec3 tile) const;
   /// Copies a block of values, of which each tile has `perSide` along each axis, from `low` on to `to`, x fastest;
   /// beyond the last one along an axis it is repeated. Tiles without elements in `values` are filled with one of
-  /// `alike`, by their slot: the first where that is none of both.
+  /// `alike`, by their slot: the first where the slot is neither 0 nor 1.
   template <int perSide, class T>
   void read(const std::vector<T>& values, std::array<T, 2> alike, glm::ivec3 low, glm::ivec3 block, T* to) const;
 };
@@ -50,7 +50,7 @@ class SmoothedIndicator {
 
   /// In 65535ths; beyond the map its edge is repeated.
   std::uint16_t at(glm::ivec3 voxel) const;
-  /// Those of `size` voxels from `low` on, x fastest.
+  /// Values of `size` voxels from `low` on, x fastest, in 65535ths.
   void read(glm::ivec3 low, glm::ivec3 size, std::uint16_t* to) const;
 
  private:

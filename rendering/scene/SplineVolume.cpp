@@ -21,8 +21,9 @@ struct Lines {
   double& at(int i, std::size_t k) const { return first[static_cast<std::size_t>(i) * stride + k]; }
 };
 
-/// Values into interpolating coefficients, of four voxels or more. With c₋₁ … c₃ on a cubic, the first three equations
-/// c_(i-1) + 4c_i + c_(i+1) = 6f_i give c₁ alone; likewise at the other end. Between them Gauss's elimination.
+/// Turns the values of four voxels or more into interpolating coefficients. With c₋₁ … c₃ on a cubic, the first three
+/// equations c_(i-1) + 4c_i + c_(i+1) = 6f_i give c₁ alone; likewise at the other end. Gauss's elimination gives those
+/// between.
 void interpolateLong(const Lines& lines) {
   const int n = lines.count;
   std::vector<double> pivot(static_cast<std::size_t>(n) + 2, 0.0);

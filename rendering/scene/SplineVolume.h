@@ -11,7 +11,7 @@
 // deviation of √(4/3) voxels instead of √(1/3). f is C² in each. In the half voxel between the outermost centres and
 // the volume's border f goes on as it is at the centres' plane.
 //
-// Of hidden voxels the coefficients become air, after the filter: near them f is then a mean of air and what is shown,
+// The coefficients of hidden voxels become air, after the filter: near them f is then a mean of air and what is shown,
 // with non-negative weights. Filtered after the voxels were hidden, f would overshoot beside that step.
 
 #include <array>
@@ -44,7 +44,7 @@ class SplineVolume {
   enum class Ends { Even, Held };
 
   /// `shown` is Cubic, Smooth or Smoother. NaN counts as the volume's least value, ±Inf as the ends of its range. Runs
-  /// on all cores, and takes 8 bytes a voxel. `ends`: of the latter two.
+  /// on all cores, and takes 8 bytes a voxel. `ends` applies to Smooth and Smoother.
   explicit SplineVolume(const ShownVolume& shown, Ends ends = Ends::Even);
 
   glm::ivec3 dims() const { return dims_; }  ///< voxels

@@ -50,7 +50,7 @@ struct View {
 /// Whether a picture with such a look depends on View::slices.
 bool dependsOnSlices(const Look& look);
 
-/// What a lens lies over, world mm.
+/// The point that a lens lies over, world mm.
 glm::dvec3 placeOf(const MethodStages::Lens& lens, const ShownSlices& slices, glm::dvec3 focusCentre);
 
 /// The greatest error of a pixel's colour, in 1/255, that the view asks for; empty where it asks for none.

@@ -12,7 +12,7 @@
 namespace fenestra {
 namespace {
 
-/// Of the lines where other slices cut a wall.
+/// Colour of the lines where other slices cut a wall.
 constexpr glm::dvec3 crossingColour(0.95, 0.85, 0.35);
 
 constexpr std::array planes{SlicePlane::Axial, SlicePlane::Sagittal, SlicePlane::Coronal};

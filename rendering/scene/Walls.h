@@ -11,8 +11,8 @@
 // The colour at a place is the voxels' bilinear value there, clamped to the outermost centres, as grey from 0 to 1 over
 // the display window, turned round where low values are bright, with NaN and infinite values as in hitPoints()
 // (rendering/reference). Hidden labels and the table are not left out: slices show all. Over it lie lines, each over
-// the ones before, of width w = lineWidth(): a line covers of a box as wide as f, across the line at the distance d of
-// the place from it,
+// the ones before, of width w = lineWidth(): at the distance d from a line, that line covers this share of a box of
+// width f across it:
 //
 //   (min(d + f/2, w/2) - max(d - f/2, -w/2)) / f,   clamped to 0..1,   f = min(pixel, w)
 //
@@ -77,9 +77,9 @@ struct WallLine {
   glm::dvec3 colour{1.0};  ///< display RGB
   std::vector<Piece> pieces;
 };
-/// Around the volume where the other two slices cut this one. Then, with outlines, those of labels (smoothOutlines):
-/// of the label map in ascending order, but of labels that are invisible or of opacity 0, in the colours of slices;
-/// and of the region in focus, where there is one.
+/// The lines on a wall, in the order in which they are drawn. On walls around the volume: where the other two slices
+/// cut this one. With outlines: those of the labels of the label map (smoothOutlines), ascending and in the colours of
+/// slices, without labels that are invisible or of opacity 0; and that of the region in focus, where there is one.
 std::vector<WallLine> linesOn(const Wall& wall, const MethodStages::Walls& walls, const Scene& scene,
                               const ShownSlices& slices);
 

@@ -14,7 +14,7 @@ namespace {
 
 constexpr double largestRise = 6.0;  ///< noise units: a sharper edge is no better
 
-// What a plateau must have. Chosen on the marked structures of tests/bench/results/growing.md. Half the contrast or
+// Conditions for a plateau, chosen on the marked structures of tests/bench/results/growing.md. Half the contrast or
 // twice the steadiness changes the mean Dice of the first setting by 0.01 there; twice the contrast or twice the fall
 // costs 0.1 and more.
 constexpr double noiseContrast = 1.6;     ///< noise deviations: surfaces with less lie in the noise
@@ -98,7 +98,8 @@ std::vector<double> clarityOf(const GrowthCurve& curve, double voxelVolume) {
   std::vector<double> clarity(curve.volume.size(), -std::numeric_limits<double>::infinity());
   for (std::size_t step = 0; step < clarity.size(); ++step)
     if (curve.volume[step] >= leastVoxels * voxelVolume && curve.contrast[step] > 0.0)
-      // Faces on the border of the volume do not count, so that the shape of what fills it would pass a ball's.
+      // Faces on the border of the volume do not count, so that a region that fills the volume would be more compact
+      // than a ball.
       clarity[step] = std::log(curve.contrast[step]) + roundness * std::log(std::min(1.0, curve.compactness[step])) -
                       steadiness * growthBefore(curve, step);
   return clarity;
@@ -147,7 +148,8 @@ void findPlateaus(GrowthCurve& curve, double voxelVolume, double noiseShare, dou
     curve.automatic = firstOf(curve.plateaus, allVolume).best;
     return;
   }
-  // Nothing stands out: the clearest surface, or of regions too small for one, the least tolerance that has voxels.
+  // Nothing stands out: take the clearest surface, or where the regions are too small for one, the least tolerance that
+  // has voxels.
   const auto clearest = std::max_element(clarity.begin(), clarity.end());
   const auto any = std::find_if(curve.volume.begin(), curve.volume.end(), [](double volume) { return volume > 0.0; });
   curve.automatic = std::isfinite(*clearest)    ? static_cast<int>(clearest - clarity.begin())

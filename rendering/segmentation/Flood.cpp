@@ -91,12 +91,12 @@ class Flooding {
       }
   }
 
-  /// Breadth first within a level, so that of equal levels the fewer steps win.
+  /// Breadth first within a level, so that at equal levels fewer steps win.
   void run(int level) {
     ring_.swap(waiting_[static_cast<std::size_t>(level)]);
     while (!ring_.empty()) {
       for (const std::size_t at : ring_) spread(at, static_cast<Level>(level));
-      // What was reached at this level is the next ring.
+      // The voxels reached at this level are the next ring.
       ring_.clear();
       ring_.swap(waiting_[static_cast<std::size_t>(level)]);
     }
@@ -117,7 +117,7 @@ class Flooding {
   }
 
   void spread(std::size_t from, Level level) {
-    // Reached at a lower level since it was put here.
+    // The voxel has been reached at a lower level since it was put here.
     if (result_.reached.all()[from] != level) return;
     ++spread_;
     const std::uint8_t kind = result_.outside.empty() ? std::uint8_t{0} : result_.outside[from];

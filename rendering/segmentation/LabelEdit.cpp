@@ -49,7 +49,7 @@ std::shared_ptr<const LabelMap> LabelEdit::changed(const LabelMap* map, bool for
   auto result = std::make_shared<LabelMap>();
   result->grid = grid;
   result->labels = side.labels;
-  // A value of the side that is left may not fit into the type of the other; the runs replace all such values.
+  // A value of the map before may not fit into the type of the map after; the runs replace all such values.
   result->voxels = copyOf(map, side.type, grid.voxelCount());
   withLabels(result->voxels, [&](auto to) {
     using T = typename decltype(to)::value_type;

@@ -39,7 +39,7 @@ struct LabelEdit {
   std::shared_ptr<const LabelMap> changed(const LabelMap* map, bool forward) const;
 };
 
-/// What the voxels of other labels do where the mask lies over them.
+/// What becomes of the voxels of other labels where the mask lies over them.
 enum class Overlap : std::uint8_t { Take, Leave };
 
 /// The edit after which `label` has exactly the voxels of the mask, apart from those that it leaves to others. A label

@@ -47,8 +47,8 @@ void forVoxels(const VoxelBox& box, Visit visit) {
       for (at.x = box.low.x; at.x < box.high.x; ++at.x) visit(at);
 }
 
-/// Sets the balls around the voxels of `within` that are `value` to `value`. The balls of voxels inside change nothing
-/// that those of the surface do not.
+/// Sets the balls around the voxels of `within` that are `value` to `value`. Only the balls of voxels at the surface
+/// are set: those of voxels inside would change nothing more.
 Mask spread(const Mask& mask, const VoxelBox& within, std::uint8_t value, double radius) {
   Mask result = mask;
   const Grid& grid = mask.grid;

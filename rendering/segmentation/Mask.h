@@ -19,7 +19,8 @@ struct Mask {
 
 /// The region of `growth` at a step.
 Mask maskAt(const Growth& growth, int step);
-/// The same into a mask of an earlier step, whose memory is used again: for a slider.
+/// Sets a mask of another step to the region of `growth` at `step`. Uses its memory again, so that a slider allocates
+/// none.
 void setMask(Mask& mask, const Growth& growth, int step);
 /// The voxels of `labels` that have the value `label`.
 Mask maskOf(const LabelMap& labels, std::uint16_t label);
@@ -42,7 +43,7 @@ Mask shrunk(const Mask& mask, double distance);
 Mask withHolesFilled(const Mask& mask);
 /// Removes the 26-connected parts smaller than `leastVolume` mm³.
 Mask withoutIslands(const Mask& mask, double leastVolume);
-/// The largest 26-connected part alone; the first in memory of equal ones.
+/// The largest 26-connected part alone; among equal ones the first in memory.
 Mask largestPart(const Mask& mask);
 
 }  // namespace fenestra::segmentation

@@ -32,7 +32,7 @@ VoxelBox boxAlong(glm::dvec3 begin, glm::dvec3 end, double radius, const Grid& g
           glm::ivec3(glm::floor(glm::clamp(glm::max(a, b) + reach + 1.0, glm::dvec3(0.0), last)))};
 }
 
-/// A line of a stroke; of a dab from a point to itself.
+/// A line of a stroke; a dab's runs from its point to itself.
 struct Line {
   glm::dvec3 begin, end;
   VoxelBox box;
@@ -55,7 +55,7 @@ struct Reached {
   double distance;
 };
 
-/// In the order of the grid. On all cores, a plane of the grid each.
+/// The voxels that a stroke reaches, in the order of the grid. Uses all cores, each for a plane of the grid at a time.
 std::vector<Reached> reachedBy(const SelectionStroke& stroke, const Grid& grid) {
   const VoxelBox box = boxOf(stroke, grid);
   if (box.empty()) return {};

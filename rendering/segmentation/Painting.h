@@ -14,7 +14,7 @@ VoxelBox boxOf(const SelectionStroke& stroke, const Grid& grid);
 
 /// The voxels of a stroke, as offsets into the grid, ascending. With d the distance in mm of a voxel's centre from the
 /// nearest point of the polyline of anchors, and c = (1 - softness) · radius, all voxels with d ≤ c belong to it. In
-/// the soft rim, c < d < radius, one does whose value v is like those within c, of mean v̄:
+/// the soft rim, c < d < radius, a voxel belongs to it if its value v is like those within c, whose mean is v̄:
 ///
 ///   |v - v̄| · (d - c) ≤ alike · noise · (radius - d)
 ///
@@ -23,9 +23,9 @@ VoxelBox boxOf(const SelectionStroke& stroke, const Grid& grid);
 inline constexpr double alike = 3.0;
 std::vector<std::size_t> voxelsOf(const SelectionStroke& stroke, const Volume& volume, double noise);
 
-/// Makes of `steps` (as Growth::steps has them, on the volume's grid) those of the painted region: voxels that a stroke
-/// adds belong to every step, those that it takes to none; stroke by stroke. `countOf`, one entry a step from 0 on,
-/// follows: the voxels that each step holds.
+/// Turns `steps` (as Growth::steps has them, on the volume's grid) into those of the painted region: voxels that a
+/// stroke adds belong to every step, those that it takes to none; stroke by stroke. `countOf`, one entry a step from 0
+/// on, follows: the voxels that each step holds.
 void paint(std::span<std::uint8_t> steps, std::span<double> countOf, const Volume& volume, double noise,
            std::span<const SelectionStroke> strokes);
 

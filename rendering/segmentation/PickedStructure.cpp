@@ -8,7 +8,7 @@ namespace {
 /// HU: darker lung is counted as air, too (Gevenois et al., American Journal of Respiratory and Critical Care Medicine
 /// 152(2), 1995).
 constexpr double airThreshold = -950.0;
-/// Of the range of values that are no Hounsfield units.
+/// Where values are no Hounsfield units, the lowest share of their range that counts as air.
 constexpr double airShare = 0.02;
 
 bool isAir(const Volume& volume, glm::ivec3 voxel) {

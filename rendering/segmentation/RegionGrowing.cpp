@@ -61,7 +61,7 @@ struct Kind {
   std::optional<PaddedLevels> paths;
 };
 
-/// The steps of a region that has no voxel yet.
+/// A label map with a label for each step, whose voxels the caller sets.
 std::shared_ptr<LabelMap> emptySteps(const Grid& grid) {
   auto steps = std::make_shared<LabelMap>();
   steps->grid = grid;
@@ -235,7 +235,7 @@ class Grower {
   std::array<Kind, 2> kinds_;  ///< inside, outside
 };
 
-/// The growth of a region without seeds, over which strokes are painted.
+/// The growth of a region that is only painted.
 Growth nothingGrown(const Volume& volume) {
   Growth growth;
   growth.noise = noiseOf(volume).unit;

@@ -47,8 +47,9 @@ inline constexpr const char* cannotGrow =
 /// Whether one growth serves both: they differ in their tolerance at most. Strokes belong to a growth.
 bool haveSameSeeds(const RegionFocus& a, const RegionFocus& b);
 
-/// What growRegion() makes of `wanted` in the whole volume, from the `growth` of a region with the same seeds and the
-/// first of its strokes: only the others are painted. Empty where `grownFrom` is not such a region.
+/// The result of growRegion() for `wanted` in the whole volume, made from `growth`, that of a region with the same
+/// seeds and the first of its strokes: only the other strokes are painted. Empty where `grownFrom` is not such a
+/// region.
 std::optional<Growth> paintedOn(const Growth& growth, const RegionFocus& grownFrom, const RegionFocus& wanted,
                                 const Volume& volume);
 

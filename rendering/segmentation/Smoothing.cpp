@@ -114,8 +114,8 @@ std::vector<float> smoothedTones(const Volume& volume, const VoxelBox& box, cons
   const Block values = volume.voxels.visit([&](auto scalars) { return tonesOf(scalars, volume, read, scale); });
   Block squares(values.dims);
   std::transform(values.values.begin(), values.values.end(), squares.values.begin(), [](float v) { return v * v; });
-  // q = a v + b with a = σ² / (σ² + ε) and b = (1 - a) v̄, both averaged over the windows that hold the voxel.
-  // Nothing is left to smooth in a volume without noise; ε keeps the quotient finite there.
+  // q = a v + b with a = σ² / (σ² + ε) and b = (1 - a) v̄, both averaged over the windows that hold the voxel. A volume
+  // without noise needs no smoothing; ε keeps the quotient finite there.
   const auto share = static_cast<float>(scale.noise().share());
   const float epsilon = std::max(1e-3f, flatness * share * share);
   Block slope = means(squares), intercept = means(values);

@@ -14,7 +14,7 @@ namespace fenestra::segmentation {
 /// In real values.
 struct Noise {
   double deviation = 0.0;  ///< standard deviation of the noise
-  /// What costs and tolerances count in: the deviation, but at least 2 % of the display window, which is the least that
+  /// The unit of costs and tolerances: the deviation, but at least 2 % of the display window, which is the least that
   /// the eye tells apart.
   double unit = 1.0;
 

@@ -220,7 +220,7 @@ int axialAxis(const Grid& grid) {
   return axis;
 }
 
-/// The parts outside the body that are not its appendages.
+/// The parts outside the body that are none of its appendages.
 Flags partsToHide(const Cells& cells, const Flags& body, const Flags& exterior) {
   const std::vector<float> away = distanceTo(cells, body);
   const double touching = 1.01 * glm::length(cells.spacing);  // a cell that shares a corner
@@ -235,7 +235,7 @@ Flags partsToHide(const Cells& cells, const Flags& body, const Flags& exterior) 
       farthest = std::max(farthest, away[i]);
     }
     if (!isOutside || (nearest <= touching && farthest <= appendageReach)) return;
-    // Beside the body lies its skin.
+    // Cells beside the body hold its skin, so they stay.
     for (const std::uint32_t i : part) hidden[i] = away[i] > touching;
   });
   return hidden;
@@ -271,7 +271,7 @@ CoarseMask findTable(const Volume& volume) {
   if (std::find(body.begin(), body.end(), 1) == body.end()) return mask;
   const Flags exterior = exteriorOf(cells, body, axialAxis(volume.grid));
   Flags hidden = partsToHide(cells, body, exterior);
-  // What stays: the body, and matter that is not hidden.
+  // These stay: the body, and matter that is not hidden.
   Flags kept(hidden.size());
   for (std::size_t i = 0; i < kept.size(); ++i) kept[i] = body[i] || (cells.greatest[i] > matterValue && !hidden[i]);
   addShell(cells, kept, hidden);

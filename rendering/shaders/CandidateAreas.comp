@@ -9,9 +9,7 @@ layout(local_size_x = 8, local_size_y = 8) in;  // rows of a tile, tiles
 layout(std430, binding = 4) readonly buffer Hits { vec2 hits[]; };
 layout(std430, binding = 5) writeonly buffer Partials { Sums partials[]; };
 layout(std430, binding = 7) readonly buffer Crossings { float crossings[]; };
-#if END_FACES
-layout(std430, binding = 6) readonly buffer Ends { uint ends[]; };  // bit 0: from the front; bit 1: from behind
-#endif
+layout(std430, binding = 6) readonly buffer Ends { uint ends[]; };  // bit 0: from the front; bit 1: from behind; with END_FACES
 
 // Area and first moments of a polygon, point by point.
 struct Polygon {
@@ -41,19 +39,14 @@ void addCell(uint tile, ivec2 cell, inout Sums all) {
     corners[i] = pixels[i] == NOWHERE ? vec2(NONE) : hits[pixels[i]];
   }
   Polygon polygon = Polygon(vec2(0.0), vec2(0.0), vec2(0.0), 0.0, false);
-  vec2 depth = vec2(0.0);
-#if END_FACES
-  vec2 through = vec2(0.0);
-#endif
+  vec2 depth = vec2(0.0), through = vec2(0.0);
   float seeing = 0.0;
   for (int i = 0; i < 4; ++i) {
     int next = (i + 1) & 3;
     if (!isNone(corners[i].x)) {
       add(polygon, vec2(around[i]));
       depth += corners[i];
-#if END_FACES
-      through += vec2(ends[pixels[i]] & 1u, ends[pixels[i]] >> 1);
-#endif
+      if (END_FACES) through += vec2(ends[pixels[i]] & 1u, ends[pixels[i]] >> 1);
       seeing += 1.0;
     }
     if (isNone(corners[i].x) == isNone(corners[next].x)) continue;
@@ -70,9 +63,7 @@ void addCell(uint tile, ivec2 cell, inout Sums all) {
   depth *= polygon.area / seeing;
   all.sums += vec4(polygon.area, depth.x, imagePosition(vec2(place) + middle) * polygon.area);
   all.more.x += depth.y;
-#if END_FACES
-  all.more.yz += through * (polygon.area / seeing);
-#endif
+  if (END_FACES) all.more.yz += through * (polygon.area / seeing);
   if (!isNone(corners[0].x)) all.box = ivec4(min(all.box.xy, place), max(all.box.zw, place));
 }
 

@@ -14,11 +14,8 @@ const float SAME_DEPTH = 1e-5;
 // `depth`: of the first point of the focus, as in the hits.
 bool entersTissue(Ray ray, float depth) {
   clipTo(ray, vec3(0.5), vec3(volume.dims) + 0.5, -candidates.sphereRadius);
-#if CLIPPED
-  // A face that the user cut is no end of the scan.
   clipToHalfSpaces(ray);
-  if (ray.cap >= 0) return false;
-#endif
+  if (CLIPS && ray.cap >= 0) return false;  // a face that the user cut is no end of the scan
   if (2.0 * depth - 1.0 <= ray.sIn / candidates.sphereRadius + SAME_DEPTH) return true;
   float value = storedExact(cellPosition(ray, ray.sIn));
   for (int i = 0; i < gapCount; ++i)

@@ -12,7 +12,8 @@ layout(std430, binding = 3) readonly buffer Points { SurfacePoint points[]; };
 uniform int pointCount;
 layout(r8ui) uniform writeonly uimage2D seen;  // x: point, y: candidate
 
-// Of the surface's uncertainty, where it is seen so nearly edge-on that no ray could clear it.
+// The most that a ray starts off the surface, in units of the surface's uncertainty: seen nearly edge-on, no distance would
+// clear it.
 const float MOST_CLEARANCE = 8.0;
 const float EDGE_ON = 1e-5;  // cosine: above what rounding makes of a zero
 

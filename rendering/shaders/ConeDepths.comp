@@ -10,16 +10,13 @@ bool isInPicture(ivec2 pixel) {
   return all(greaterThanEqual(pixel, ivec2(0))) && all(lessThan(pixel, rays.pictureSize));
 }
 
-#if SILHOUETTE
 bool isBesideFocus(ivec2 pixel) { return isInPicture(pixel) && isNone(texelOf(hitPoints, pixel).y); }
 
+// With SILHOUETTE, cones stand on the silhouette of the focus's projection alone.
 bool hasCone(ivec2 pixel) {
-  return isBesideFocus(pixel + ivec2(1, 0)) || isBesideFocus(pixel - ivec2(1, 0)) ||
+  return SILHOUETTE == 0 || isBesideFocus(pixel + ivec2(1, 0)) || isBesideFocus(pixel - ivec2(1, 0)) ||
          isBesideFocus(pixel + ivec2(0, 1)) || isBesideFocus(pixel - ivec2(0, 1));
 }
-#else
-bool hasCone(ivec2 pixel) { return true; }
-#endif
 
 void main() {
   ivec2 at = regionPixel();

@@ -1,20 +1,13 @@
 // Cones, last step: where each ray starts to see, before the brush.
+#include <level>
+#include <schedule>
 #include "lib/Cones.glsl"
+#include "lib/None.glsl"
 #include "lib/PixelRay.glsl"
 #include "lib/Region.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
 TEXELS_2D(rg32f, hitPoints);
-// IMPORTANCE_LEVELS, of levels of importance: 0 there is one, 1 the lowest, 2 a higher one than those whose starts are there already.
-#if IMPORTANCE_LEVELS == 2
-layout(r32f) uniform image2D coneStart;
-layout(rg32f) uniform image2D openedHits;  // context hit, and what a ray is opened to
-#else
-layout(r32f) uniform writeonly image2D coneStart;
-#if IMPORTANCE_LEVELS == 1
-layout(rg32f) uniform writeonly image2D openedHits;
-#endif
-#endif
 
 // Every second bit, from the lowest on, of 16.
 int everySecond(int bits) {
@@ -78,16 +71,5 @@ void main() {
     }
     start = clamp(start, hit.x, max(hit.x, sOut));
   }
-#if IMPORTANCE_LEVELS
-  vec2 opened = vec2(hit.x, start == hit.y ? hit.y : NONE);
-#if IMPORTANCE_LEVELS == 2
-  float lower = imageLoad(coneStart, pixel).r;
-  vec2 openedBefore = imageLoad(openedHits, pixel).xy;
-  if (start == lower) opened.y = max(opened.y, openedBefore.y);
-  if (start < lower) opened = openedBefore;
-  start = max(start, lower);
-#endif
-  imageStore(openedHits, pixel, vec4(opened, 0.0, 0.0));
-#endif
-  imageStore(coneStart, pixel, vec4(start));
+  storeStart(pixel, hit, start);
 }

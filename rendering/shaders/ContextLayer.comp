@@ -2,10 +2,10 @@
 // Output: κ1, κ2 (1/mm), illumination, stored value, and the silhouette term 1 - |n·v| beside them; NONE in the first
 // component where there is no such surface: the scan begins inside it, or the focus lies bare. Beside the scan's faces
 // curvatures and silhouette fade: they would be those of what the spline takes for the values behind a face.
+#include <volume>
 #include "lib/Curvature.glsl"
 #include "lib/PixelRay.glsl"
 #include "lib/Region.glsl"
-#include "lib/Volume.glsl"
 #include "lib/light/BlinnPhong.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;

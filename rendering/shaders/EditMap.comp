@@ -1,12 +1,15 @@
 // The brush: how far strokes move each ray's start, and how much of the context layer and the border they leave (what a
 // stroke does is defined in rendering/scene/BrushStroke.h). Output: offset in mm along the ray; factor of the context
 // layer's opacity where the ray meets the focus, of the border's elsewhere.
-#include "lib/Region.glsl"
+#include <schedule>
+#include <starts>
+#include "lib/None.glsl"
 #include "lib/PixelRay.glsl"
-#include "lib/opening/RayStart.glsl"
+#include "lib/Region.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
 layout(rg32f) uniform writeonly image2D editMap;
+TEXELS_2D(rg32f, hitPoints);
 
 struct Stroke {
   uint mode;

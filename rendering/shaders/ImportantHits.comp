@@ -1,16 +1,13 @@
 // Where rays first meet labels of a level of importance or more, in place of the focus hits of stage 1; `<focus>` is the
 // index of those labels. Output: the context hit of stage 1 (x), and that one, not before it (y).
+#include <lower>
+#include <schedule>
 #include "lib/FirstHit.glsl"
 #include "lib/PixelRay.glsl"
 #include "lib/Region.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
 TEXELS_2D(rg32f, hitPoints);
-#if HIGHER
-layout(rg32f) uniform image2D importantHits;
-#else
-layout(rg32f) uniform writeonly image2D importantHits;
-#endif
 
 void main() {
   ivec2 pixel = regionPixel();
@@ -21,9 +18,5 @@ void main() {
     hit = firstFocusHit(ray);
     if (!isNone(hit)) hit = max(hit, context);
   }
-#if HIGHER
-  // Rays that miss the level stay opened to the one below.
-  if (isNone(hit)) hit = imageLoad(importantHits, pixel).y;
-#endif
-  imageStore(importantHits, pixel, vec4(context, hit, 0.0, 0.0));
+  imageStore(importantHits, pixel, vec4(context, orBelow(hit, pixel), 0.0, 0.0));
 }

@@ -1,4 +1,4 @@
-// The medium that casts shadows, second step: what is left of ambient and of direct light at the centre of each cell.
+// The medium that casts shadows, second step: the shares of ambient and of direct light that reach the centre of each cell.
 // rendering/scene/Occlusion.h defines it. An invocation has CELLS cells, one behind the other along z: four,
 // because a vec4 holds a number for each.
 #include <schedule>
@@ -16,7 +16,7 @@ const float OPAQUE = 14.0;  // optical depth: less than 1e-6 passes
 
 bool isWithin(int at, int count) { return uint(at) < uint(count); }
 
-// Of CELLS cells from one on; 0 outside.
+// The medium of CELLS cells from one on; 0 outside.
 vec4 mediumFrom(ivec3 cell) {
   bool beside = isWithin(cell.x, occlusion.dims.x) && isWithin(cell.y, occlusion.dims.y);
   vec4 found;

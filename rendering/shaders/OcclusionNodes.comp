@@ -1,5 +1,5 @@
-// The medium that casts shadows, last step: what is left of light at four centres of cells in a texel, as
-// lib/light/Occlusion.glsl reads it. An invocation a cell: x, and y and z one below the other.
+// The medium that casts shadows, last step: the shares of light that reach four centres of cells in a texel, as
+// lib/occlusion/Nodes.glsl reads it. An invocation a cell: x, and y and z one below the other.
 #include <schedule>
 #include "lib/Region.glsl"
 #include "lib/Uniforms.glsl"

@@ -1,6 +1,7 @@
 // Stage 2, one level up: mean of the known pixels of each 2×2 block (Strengert, Kraus, Ertl, VMV 2006).
+#include <fine>
+#include <schedule>
 #include "lib/None.glsl"
-#include "lib/PullPush.glsl"
 #include "lib/Region.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;

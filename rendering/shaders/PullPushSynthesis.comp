@@ -1,8 +1,8 @@
 // Stage 2, one level down: unknown pixels take the biquadratic B-spline refinement of the coarser level (weights 9, 3, 3,
 // 1 sixteenths), known ones stay bit for bit.
+#include <fine>
 #include <schedule>
 #include "lib/None.glsl"
-#include "lib/PullPush.glsl"
 #include "lib/Region.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;

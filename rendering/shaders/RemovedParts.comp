@@ -1,6 +1,9 @@
 // Stage 4 where another camera cuts the opening, second step: what of a ray it removes. rendering/passes/RemovedPass.h
 // defines it.
+#include <removed>
 #include <schedule>
+#include "lib/Bilinear.glsl"
+#include "lib/None.glsl"
 #include "lib/PixelRay.glsl"
 #include "lib/Region.glsl"
 #include "lib/Uniforms.glsl"
@@ -16,10 +19,6 @@ uniform float voxel;       // mm, its shortest side
 
 // Shares of a voxel; see RemovedPass.h.
 const float SLIVER = 0.01, SKIN = 0.5, BEHIND = 1.0;
-#if EDITED
-layout(rg32f) uniform writeonly image2D editMap;
-uniform sampler2D openingEdits;
-#endif
 
 // This picture's ray in the opening's view axes: mm from the opening's anchor point, at s = 0 and per mm.
 struct Line {
@@ -94,11 +93,6 @@ Square squareAt(ivec2 texel) {
   float deepest = max(max(starts.x, starts.y), max(starts.z, starts.w));
   square.starts = mix(starts, vec4(deepest), lessThan(starts, vec4(0.1 * NONE)));
   return square;
-}
-
-float bilinear(vec4 corners, vec2 at) {
-  vec2 rows = mix(corners.xz, corners.yw, at.x);
-  return mix(rows.x, rows.y, at.y);
 }
 
 // mm that the line at s lies before the opening's face; negative behind it.
@@ -191,19 +185,11 @@ void main() {
                       mix(faceOf(corner + ivec2(0, 1)), faceOf(corner + ivec2(1, 1)), at.x), at.y);
       // Below half a pixel lies the focus's projection itself.
       if (point.z <= max(face.z, face.y) + BEHIND * voxel) distance = face.w < 0.5 ? 0.0 : face.w;
-#if EDITED
-      ivec2 last = opening.pictureSize - 1;
-      vec4 factors;
-      for (int i = 0; i < 4; ++i)
-        factors[i] = texelFetch(openingEdits, clamp(corner + ivec2(i & 1, i >> 1), ivec2(0), last), 0).g;
-      factor = bilinear(factors, at);
-#endif
+      if (EDITED) factor = editFactor(corner, at);
     }
   }
   imageStore(rayStart, pixel, vec4(start));
   imageStore(hole, pixel, vec4(removed, 0.0, 0.0));
   imageStore(distances, pixel, vec4(distance));
-#if EDITED
-  imageStore(editMap, pixel, vec4(0.0, factor, 0.0, 0.0));
-#endif
+  if (EDITED) storeEdit(pixel, factor);
 }

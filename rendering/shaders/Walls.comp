@@ -1,7 +1,7 @@
 // Slices that stand in a picture as walls (rendering/scene/Walls.h has the formulas). Output: the picture with the walls, and the
 // walls alone; both premultiplied RGBA without background.
-//
-// INSIDE: 0 behind the picture, around the volume; 1 before the focus layer, in the space that the opening removed.
+#include <schedule>
+#include <walls>
 #include "lib/PixelRay.glsl"
 #include "lib/Region.glsl"
 #include "lib/Uniforms.glsl"
@@ -11,10 +11,6 @@ layout(rgba32f) uniform writeonly image2D walled;
 layout(rgba32f) uniform writeonly image2D wallLayer;
 TEXELS_2D(rgba32f, picture);
 TEXELS_2D(r32f, greys);  // of the slices, one below the other
-#if INSIDE
-TEXELS_2D(rg32f, hitPoints);
-TEXELS_2D(r32f, rayStart);
-#endif
 
 const float ALONG_WALL = 1e-7;   // cosine below which a ray runs along a wall
 
@@ -84,13 +80,8 @@ void main() {
   ivec2 pixel = regionPixel();
   if (!hasRay(pixel)) return;
   Ray ray = wholePixelRay(pixel);
-#if INSIDE
-  vec2 hit = texelOf(hitPoints, pixel).xy;
-  float start = texelOf(rayStart, pixel).r;
-  float first = hit.x, nearest = isNone(hit.x) || !isNone(hit.y) ? -FAR : start;
-#else
-  float first = -rays.distance, nearest = FAR;
-#endif
+  vec2 span = spanOf(pixel);
+  float first = span.x, nearest = span.y;
   float opacity = 0.0, pixelSide = 1.0;
   vec2 place = vec2(0.0);
   vec4 extent = vec4(1.0), metric = vec4(1.0);
@@ -114,11 +105,6 @@ void main() {
   vec4 wall = vec4(0.0), front = texelOf(picture, pixel);
   if (opacity > 0.0)
     wall = vec4(withLines(vec3(greyAt(place, extent)), place, extent, metric, pixelSide), 1.0) * opacity;
-#if INSIDE
-  vec4 result = wall + (1.0 - wall.a) * front;
-#else
-  vec4 result = front + (1.0 - front.a) * wall;
-#endif
   imageStore(wallLayer, pixel, wall);
-  imageStore(walled, pixel, result);
+  imageStore(walled, pixel, withWall(front, wall));
 }

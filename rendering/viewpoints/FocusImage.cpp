@@ -21,7 +21,7 @@ double lengthOf(const Outline& outline) {
   return length;
 }
 
-/// The same outline in equal steps of about a pixel.
+/// Samples an outline anew, in equal steps of about a pixel.
 Outline inEqualSteps(const Outline& outline, double length) {
   const auto count = static_cast<std::size_t>(std::lround(length));
   const double step = length / static_cast<double>(count);

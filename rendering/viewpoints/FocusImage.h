@@ -1,5 +1,5 @@
 #pragma once
-// One candidate's image of the focus as plain data, and what its depths and its outline are like.
+// One candidate's image of the focus as plain data, and measures of its depths and its outline.
 
 #include <vector>
 

@@ -13,9 +13,10 @@ namespace {
 
 /// Rays for each direction: the mean transmittance is known to a few hundredths.
 constexpr std::size_t raysPerView = 96;
-/// Voxels: a gap of the structure that is no end of it. Its border is a staircase, which a ray may leave and enter.
+/// Voxels: the widest gap within the structure that is not its end. Its border is a staircase, which a ray may leave
+/// and enter.
 constexpr double bridgedGap = 2.0;
-/// Optical depth from which a ray shows nothing: less than 1e-8 of its light is left.
+/// Optical depth from which a ray shows nothing: less than 1e-8 of its light remains.
 constexpr double opaqueDepth = 20.0;
 /// Ratings are equal within this: far above rounding, and far below what a reader could tell apart.
 constexpr double sameRating = 1e-9;
@@ -80,7 +81,7 @@ class Obstacles {
   std::vector<std::size_t> materialOf_;      ///< of a label: 1 + its place there; 0 outside the focus
 };
 
-/// What clipping removes.
+/// The voxels that clipping removes.
 class Clipped {
  public:
   explicit Clipped(const Scene& scene)

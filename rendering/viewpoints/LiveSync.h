@@ -32,8 +32,8 @@
 // the structure a ray runs towards the camera. The stretch of the structure in which it begins hides nothing: its end
 // is what the camera sees. Behind it the ray is attenuated by what the transfer function and the rest of the focus show
 // (exp of minus the integral of extinction), and stopped where it meets the structure again. Gaps of two voxels or less
-// within the structure are no end of it. Of what is clipped nothing counts. A structure that is hidden from everywhere
-// has the score 0 everywhere; then the other criteria decide. The opening of the context is not considered.
+// within the structure do not end it. Clipped material does not count. A structure that is hidden from everywhere has
+// the score 0 everywhere; then the other criteria decide. The opening of the context is not considered.
 
 #include <array>
 #include <optional>
@@ -72,7 +72,7 @@ LocalShape localShape(const Structure& structure, glm::dvec3 pick, double reach)
 std::vector<double> visibilityScores(const Scene& scene, const Structure& structure, const LocalShape& shape,
                                      std::span<const glm::dvec3> directions);
 
-/// What the spheres say of one direction.
+/// The scores of one direction on the spheres.
 struct SphereScores {
   double orientation = 0.0;
   std::optional<double> history;  ///< empty without a last camera
@@ -94,7 +94,7 @@ struct RatedViews {
 
 /// Rates 12·nside² directions for a pick (world mm) on a structure. C1 is the best one. C2 is the best one of its
 /// region, as in the paper's placement (inRegion), so that the two views complement each other. Ratings that differ by
-/// rounding are equal; of equal ones the lowest index is taken. `last` is the direction of the last camera.
+/// rounding are equal; among equal ones the lowest index is taken. `last` is the direction of the last camera.
 RatedViews rateViews(const Scene& scene, const Structure& structure, glm::dvec3 pick, int nside,
                      const LiveSyncOptions& options, const Options& region,
                      std::optional<glm::dvec3> last = std::nullopt);

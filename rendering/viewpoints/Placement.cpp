@@ -220,7 +220,7 @@ std::optional<Pair> jointSearch(const std::vector<Candidate>& candidates, std::s
       [&](const View& a, const View& b) {
         const double value = valueOf(a, b);
         if (value < greatest - sameValue) return;
-        // Where both are as far, the better one is C1, then the one of the lower index.
+        // Where both are equally far, the better one is C1, then the one with the lower index.
         const auto role = [](const View& view) { return std::tuple(view.farness, -view.quality, view.index); };
         const View &c1 = role(a) < role(b) ? a : b, &c2 = &c1 == &a ? b : a;
         const Found found{sharesOfC1 * c1.farness + (1.0 - sharesOfC1) * c2.farness, value, c1.index, c2.index};

@@ -74,7 +74,7 @@ struct Pair {
 };
 /// Both cameras at once: the pair, either in the other's region, that maximises shareWeight · share + (1 - shareWeight)
 /// · mean quality. A share is known to about a hundredth, so pairs within 0.01 of the greatest value are equally good;
-/// of these the one is taken that looks through least, C1 before C2: the least 0.8 · f(c1) + 0.2 · f(c2), where f =
+/// among these the pair that looks through least is taken, C1 before C2: the least 0.8 · f(c1) + 0.2 · f(c2), where f =
 /// visibility - 0.1 · orientation. Then ties go to the greater value, then to the lowest indices.
 std::optional<Pair> jointSearch(const std::vector<Candidate>& candidates, std::size_t points, const Options& options);
 /// The best orthogonal pair of the six standard views by share, among candidates that hold them.

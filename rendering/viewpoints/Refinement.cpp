@@ -14,8 +14,8 @@ namespace {
 /// Pixels of a level that are measured for their predicted quality. On 23 structures with seven choices of weights and
 /// region each, this many find the C1 of an exhaustive search in all 161 cases and its C2 in all but three.
 constexpr std::size_t promisingCount = 24;
-/// How many of the finest level's best views are measured from the opposite side, too: of nearly equal views the second
-/// may have the better opposite.
+/// How many of the finest level's best views are measured from the opposite side, too: the second of two nearly equal
+/// views may have the better opposite.
 constexpr std::size_t turned = 4;
 
 /// The pixels at most `steps` steps from neighbour to neighbour away from one, without itself; in ascending order.

@@ -30,7 +30,7 @@ struct Tour {
   std::vector<std::size_t> order;  ///< indices of the directions; begins with 0
   double length = 0.0;             ///< radians, along great circles and back to the first one
 };
-/// The shortest one, among all orders: for at most `mostRepresentativeViews` directions. Of equally short ones the
+/// The shortest tour among all orders, for at most `mostRepresentativeViews` directions; among equally short ones the
 /// first in lexicographic order.
 Tour shortestTour(const std::vector<glm::dvec3>& directions);
 

@@ -11,7 +11,7 @@ namespace fenestra::placement {
 ///
 ///     p(v) = a(v) / Σ_w a(w)      p(z|v) = a_z(v) / a(v)      p(z) = Σ_v p(v) p(z|v)
 ///
-/// Values are in bits. Of a view that sees nothing p(v) is 0, and its values are NaN.
+/// Values are in bits. A view that sees nothing has p(v) = 0, and its values are NaN.
 class ViewChannel {
  public:
   /// `areas[v][z]` ≥ 0, in any unit; all rows are equally long.

@@ -26,8 +26,8 @@ constexpr std::array<ViewDescriptorEntry, 9> entries{{
     {ViewDescriptor::CurvatureEntropy, "curvature-entropy", "bit", true, false},
 }};
 
-/// What the outline's curvature leaves out: features smaller than this part of the focus's depth range, or than two
-/// pixels. Measured on finer images, the orders of views then stay the same.
+/// The outline's curvature leaves out features smaller than this part of the focus's depth range, or than two pixels.
+/// Measured on finer images, the orders of views then stay the same.
 constexpr double leastFeature = 1.0 / 32.0;
 
 /// Nearest directions that stability compares with: a HEALPix pixel has at most eight neighbours.

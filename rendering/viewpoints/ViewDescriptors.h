@@ -1,7 +1,7 @@
 #pragma once
 // Descriptors of views that camera placement is compared with: their definitions, and their values for the candidates.
 //
-// A focus has n surface points of equal area A/n (FocusSurface). Of view v, d(v) is the unit direction towards the
+// A focus has n surface points of equal area A/n (FocusSurface). For view v, d(v) is the unit direction towards the
 // camera, and p(v), p(z|v), p(z) are those of the ViewChannel whose elements z are the points, each a polygon of the
 // area A/n with the point's normal n_z: where v sees it, its projected area is
 //
@@ -46,12 +46,12 @@
 
 namespace fenestra::placement {
 
-/// Each with its unit, its range, and what of it is best. Logarithms are to base 2.
+/// Each with its unit, its range, and whether high or low values are best. Logarithms are to base 2.
 enum class ViewDescriptor : std::uint8_t {
   /// H(Z|v) = −Σ_z p(z|v) log p(z|v) [1, 2]; bit, from 0 to log n; high.
   Entropy,
-  /// The same with the labels in focus as elements z [2]; bit, from 0 to the logarithm of their number; high. There is
-  /// none of a single structure.
+  /// H(Z|v) with the labels in focus as elements z [2]; bit, from 0 to the logarithm of their number; high. A focus of
+  /// one structure has no such value.
   StructureEntropy,
   /// I(v;Z) = Σ_z p(z|v) log(p(z|v) / p(z)) [3]; bit, from 0; low.
   MutualInformation,
@@ -126,7 +126,7 @@ class DescribedViews {
 /// The candidate that a descriptor would choose by its values, ties to the lowest index; empty where all are NaN.
 std::optional<std::size_t> choiceBy(ViewDescriptor descriptor, const std::vector<double>& values);
 /// Rank correlation of what a descriptor prefers by its values with a list of one value for each candidate: positive
-/// where what it holds for better has a greater value there.
+/// where the views that it prefers have greater values there.
 double preferenceCorrelation(ViewDescriptor descriptor, const std::vector<double>& values,
                              const std::vector<double>& with);
 

@@ -1,4 +1,4 @@
-// The benchmark's page: the figures of other machines, and what is said of a comparison with them.
+// The benchmark's page: the figures of other machines, and the sentences that compare with them.
 
 #include <cmath>
 

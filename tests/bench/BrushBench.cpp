@@ -1,4 +1,4 @@
-// brush-bench: what painting costs, as the share of a full frame: a stroke of 50 points with a radius of 24 px at
+// brush-bench: the cost of painting as a share of a full frame: a stroke of 50 points with a radius of 24 px at
 // 700×650, on the torso phantom. Times until all passes have run, median and worst of the points against the median
 // full frame, interleaved so that other load on the machine meets both.
 

@@ -20,7 +20,7 @@ TEST(Distribution, PercentilesAreTheNearestRankAbove) {
   EXPECT_EQ(values.percentile(99.0), 4.0);
   EXPECT_DOUBLE_EQ(values.rms(), std::sqrt(7.5));
   values.add(std::numeric_limits<double>::quiet_NaN());
-  EXPECT_EQ(values.max(), std::numeric_limits<double>::infinity()) << "what is no number is the worst there is";
+  EXPECT_EQ(values.max(), std::numeric_limits<double>::infinity()) << "NaN counts as the greatest error";
 }
 
 TEST(ColourErrors, WorstChannelAndRootMeanSquare) {

@@ -22,7 +22,7 @@ bool isInside(glm::ivec2 size, glm::ivec2 pixel) {
   return glm::all(glm::greaterThanEqual(pixel, glm::ivec2(0))) && glm::all(glm::lessThan(pixel, size));
 }
 
-/// What a method does to one stretch.
+/// A method's effect on one stretch.
 struct Treated {
   double removed = 0.0;  ///< share of its length before the ray's start
   double share = 0.0;    ///< w, of that
@@ -105,7 +105,7 @@ class ViewSamples::Along {
     double removedDepth = 0.0;
     if (!method_.starts.empty() && !ghost_) removedDepth = addRemoved(sampled, pixel, all);
     const double share = shareAt(pixel);
-    // What stays faint lies over the rest as a layer of its own: w E + (1 - w a) F.
+    // The part that stays faint lies over the rest as a layer of its own: w E + (1 - w a) F.
     const double through = 1.0 + share * std::expm1(-removedDepth);
     double depth = 0.0;
     for (std::size_t i = 0; i < all.size(); ++i) {

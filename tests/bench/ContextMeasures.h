@@ -32,7 +32,7 @@
 
 namespace fenestra::bench {
 
-/// What a picture's method does along its rays; elements are pixels, row by row from the top.
+/// The effect of a picture's method along its rays; elements are pixels, row by row from the top.
 struct MethodRays {
   std::vector<float> starts;  ///< t, mm; of a ghost, where it ends; empty: rays start where they enter
   std::vector<float> shares;  ///< w, of what lies before the starts; empty: nothing of it stays
@@ -51,8 +51,8 @@ struct ContextKept {
 
 struct DepthOrder {
   double wrong = 0.0;  ///< mean e over the outlines that the picture shows; 0 without any
-  /// Structures in focus, each with one of the context that shows most beside its outline: those of a mean e above a
-  /// half, and all. A pair counts where it shows half a pixel of the sampled outline or more.
+  /// Pairs of a structure in focus and the one of the context that shows most beside its outline: those whose mean e is
+  /// above a half, and all. A pair counts where it shows half a pixel of the sampled outline or more.
   int wrongPairs = 0, pairs = 0;
 };
 

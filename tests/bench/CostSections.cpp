@@ -80,7 +80,7 @@ Section updateSection(const Options& options, const TruthStore&) {
   renderer.render(scene, view);
   constexpr int repetitions = 7;
 
-  /// `change` gets 0, 1, 2, … and makes of the scene and view what is drawn next.
+  /// `change` gets 0, 1, 2, … and turns the scene and view into those to be drawn next.
   const auto add = [&](const std::string& name, const std::function<void(Scene&, View&, int)>& change,
                        bool sceneAlone = false) {
     Distribution times, full;
@@ -89,7 +89,7 @@ Section updateSection(const Options& options, const TruthStore&) {
       View turned = view;
       turned.camera = view.camera.orbited(0.003 * (i + 1), 0.0);
       const double whole = timed([&] { renderer.render(scene, turned); });
-      // From the step before: what a drag does.
+      // Each step starts from the one before, as in a drag.
       Scene changed = scene;
       View seen = view;
       if (i > 0) change(changed, seen, i - 1);

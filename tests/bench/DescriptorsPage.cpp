@@ -21,7 +21,7 @@ namespace {
 
 using namespace placement;
 
-/// What descriptors are correlated with.
+/// The measures that descriptors are correlated with.
 constexpr std::array<const char*, 4> comparedWith{"visibility (vd1)", "coverage (vd2)", "location (vd3)",
                                                   "share of the surface seen"};
 
@@ -147,7 +147,7 @@ std::string alikenessTable(const std::vector<Row>& rows) {
   return table;
 }
 
-/// Of each structure and descriptor one figure, and the mean over the real ones.
+/// A table with a figure for each structure and descriptor, and the means over the real structures.
 template <class Of>
 std::string choiceTable(const std::vector<Row>& rows, int digits, const std::string& more, Of&& of) {
   std::vector<std::string> cells{"structure"};

@@ -6,7 +6,7 @@
 
 namespace fenestra::bench {
 
-/// Writes descriptors.md: rank correlations, and the views that each descriptor would choose; of the structures whose
+/// Writes descriptors.md: rank correlations, and the views that each descriptor would choose; for the structures whose
 /// names hold `part`. Needs a current context; `gl` describes it. The page is written again after each structure.
 void writeDescriptorsPage(const std::filesystem::path& folder, const std::string& part, const std::string& gl);
 

@@ -65,7 +65,7 @@ void run(const Arguments& arguments) {
     report.sections.push_back(section.make(options, truths));
     std::cerr << section.name << ": "
               << std::chrono::round<std::chrono::seconds>(std::chrono::steady_clock::now() - start).count() << " s\n";
-    // After each, so that a run cut short leaves what it has.
+    // Written after each, so that a run that is cut short leaves its results so far.
     write(report, arguments.folder, "fenestra");
   }
 }

@@ -112,7 +112,7 @@ Mask truthOf(const Structure& structure, const LabelMap& labels) {
   return truth;
 }
 
-/// Voxels whose six neighbours belong to the structure too; all of them where that leaves fewer than the seeds.
+/// Voxels whose six neighbours belong to the structure too; all voxels where fewer of those are left than seeds.
 std::vector<std::size_t> innerVoxels(const Mask& truth) {
   const VoxelBox whole = wholeOf(truth.grid.dims);
   std::vector<std::size_t> inner, all;
@@ -181,7 +181,7 @@ Scores scoresOf(const Growth& growth, const Mask& truth) {
   return Scores(growth.steps->voxels.as<std::uint8_t>(), truth);
 }
 
-/// What a plain tolerance reaches: connected values within it of the mean of 3×3×3 around the seed. Best Dice.
+/// The result of a plain tolerance: connected values within it of the mean of 3×3×3 around the seed. Best Dice.
 double plainDice(const Volume& volume, std::size_t seed, const Mask& truth) {
   const Grid& grid = volume.grid;
   const VoxelBox whole = wholeOf(grid.dims);

@@ -133,7 +133,7 @@ std::string makeRandom(Scene& scene, std::mt19937& random) {
   return names;
 }
 
-/// Pictures of which all is random but the data and the focus.
+/// Pictures in which all but the data and the focus is random.
 Table ofRandomPictures(const Subjects& subjects, const Options& options, Sums& sums) {
   Table table = tableOf("random-looks");
   table.isLong = true;

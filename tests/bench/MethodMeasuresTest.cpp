@@ -1,4 +1,4 @@
-// What is measured of a method: a slab of haze before a ball in closed form, and the opacity of every method's picture
+// The measures of a method: a slab of haze before a ball in closed form, and the opacity of every method's picture
 // against the reference.
 
 #include <cmath>
@@ -47,7 +47,7 @@ Scene slabBeforeBall() {
 
 std::vector<float> floats(const reference::Image& image) { return {image.begin(), image.end()}; }
 
-/// A view of a scene, and what its method does there by the reference.
+/// A view of a scene, and the effect of its method there by the reference.
 struct Case {
   Scene scene;
   Camera camera;
@@ -279,7 +279,8 @@ TEST(MethodMeasures, EveryMethodHasTheOpacityOfItsReference) {
       if (!std::isnan(view.stages.hits.tContext[i])) sum += std::abs(opacities[at++] - exact.final[i].a);
     ASSERT_EQ(at, opacities.size());
     ASSERT_GT(at, 1000u);
-    // A stretch of a voxel is taken to be as in its middle; where rays start beyond ε, a film below it is missing.
+    // A stretch as long as a voxel counts as uniform, with the values of its middle; where rays start beyond ε, a film
+    // below it is missing.
     EXPECT_LT(sum / static_cast<double>(at), 0.01) << variant.name;
   }
 }

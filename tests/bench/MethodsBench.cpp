@@ -85,7 +85,7 @@ double meanDifference(const Pixels& a, const Pixels& b) {
   return sum / (static_cast<double>(a.size()) / 4.0);
 }
 
-/// Light that comes from the focus, summed over the picture: what a bright focus has more than a black one.
+/// Light that comes from the focus, summed over the picture: the difference between a bright focus and a black one.
 double focusIn(Renderer& renderer, const Scene& scene, const View& view) {
   constexpr double bright = 0.8;  // with room for highlights
   const Pixels shown = drawn(renderer, withFocusOf(bright, scene), view),
@@ -104,7 +104,7 @@ double medianOf(std::vector<double> values) {
   return values[values.size() / 2];
 }
 
-/// What a method does along the rays of its last picture.
+/// The effect of a method along the rays of its last picture.
 MethodRays raysOf(const Scene& scene, glm::ivec2 size, Layers& layers) {
   if (!scene.look.cutaway.enabled) return {};
   const MethodStages stages = stagesOf(scene.look.method);
@@ -120,7 +120,7 @@ MethodRays raysOf(const Scene& scene, glm::ivec2 size, Layers& layers) {
   return rays;
 }
 
-/// A method with a renderer of its own, so that none finds another's stages done, and what was measured in each view.
+/// A method with a renderer of its own, so that none finds another's stages done, and its measurements in each view.
 struct Measured {
   std::string name;
   Scene scene;

@@ -34,7 +34,7 @@ const std::vector<Measure>& measures() {
   return all;
 }
 
-/// What the best methods of a column have in the table.
+/// The entry of a column's best methods in the table.
 std::string bestText(const Measure& measure, const std::vector<MethodFigures>& methods) {
   const auto isWorse = [&](const MethodFigures& a, const MethodFigures& b) {
     const double first = measure.value(a), second = measure.value(b);

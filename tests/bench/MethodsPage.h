@@ -1,6 +1,6 @@
 #pragma once
-// The page of what each method shows, leaves and costs: its tables, with the best of each column marked, and what they
-// say of the adaptive cutaway.
+// The page of what each method shows, leaves and costs: its tables, with the best of each column marked, and sentences
+// on the adaptive cutaway.
 
 #include <limits>
 #include <string>
@@ -10,10 +10,10 @@
 
 namespace fenestra::bench {
 
-/// A figure of a method that cannot be told.
+/// Stands for a figure that cannot be measured.
 inline constexpr double notTold = std::numeric_limits<double>::quiet_NaN();
 
-/// Of a method on one scene, over all views.
+/// Figures of a method on one scene, over all views.
 struct MethodFigures {
   std::string name;
   double seen = 0.0, leastSeen = 0.0;  ///< share of the focus: mean, and of the worst view
@@ -32,8 +32,8 @@ struct SceneFigures {
   std::vector<MethodFigures> methods;  ///< the adaptive cutaway first
 };
 
-/// The scene's table, and beside which methods the adaptive cutaway is not best. Best is what is as good as the best by
-/// the digits that the table has.
+/// The scene's table, and the methods that beat the adaptive cutaway. Methods are equal where the digits in the table
+/// are.
 Section sectionOf(const SceneFigures& scene);
 
 /// In how many scenes each method is best, by column.

@@ -1,5 +1,5 @@
 #pragma once
-// What other volume renderers (tests/peers) made of the same subjects.
+// The results of other volume renderers (tests/peers) for the same subjects.
 
 #include <filesystem>
 #include <string>
@@ -19,7 +19,7 @@ struct PeerRun {
   std::vector<std::filesystem::path> pictures;  ///< of the compared pixels, one a camera
 };
 
-/// Everything in `folder` that was measured with the same views; what was not is said in `left`.
+/// Everything in `folder` that was measured with the same views; `left` names the rest.
 struct Peers {
   std::vector<PeerRun> runs;
   std::vector<std::string> left;
@@ -27,9 +27,10 @@ struct Peers {
 };
 Peers readPeers(const std::filesystem::path& folder, const Views& views);
 
-/// A run's pictures against the truths of `what`, which is the same subject. Throws io::Error.
+/// A run's pictures against the truths of `what`, the subject that it drew. Throws io::Error.
 ColourErrors errorsOf(const PeerRun& run, const Measurable& what);
-/// A lit run's pictures against what the same program's converge to, of the views that both have. Throws io::Error.
+/// A lit run's pictures against the limit of that program's own pictures, for the views that both have. Throws
+/// io::Error.
 ColourErrors errorsOf(const PeerRun& run, const PeerRun& limit);
 
 }  // namespace fenestra::bench

@@ -64,7 +64,7 @@ struct Deviation {
   double c1 = 0.0, c2 = 0.0, lost = 0.0, lostByC2 = 0.0;
 };
 
-/// What a pair of cameras is judged by.
+/// The measures of a pair of cameras.
 struct PairMeasures {
   double degrees = 0.0;  ///< between C1 and C2
   double share = 0.0;    ///< of the focus's surface that at least one of them sees
@@ -267,7 +267,7 @@ std::string angleTable(const std::vector<Row>& rows, double Deviation::*angle) {
   return table;
 }
 
-/// The structures that weights are chosen on; the others report what they are worth. Every second one of the list.
+/// Every second structure of the list, on which weights are chosen; the others show how well those do.
 bool isTuned(std::size_t row) { return row % 2 == 0; }
 
 PairMeasures meanOf(const std::vector<Row>& rows, bool tuned, const std::function<PairMeasures(const Row&)>& of) {
@@ -460,7 +460,7 @@ int run(const std::filesystem::path& folder, const std::string& part, bool onlyD
     std::cerr << row.name << ": " << fixed(millisecondsSince(start) / 1000.0, 1) << " s; refined C1 " << row.refined.c1
               << "°, C2 " << row.refined.c2 << "°, lost " << row.refined.lost << ", " << row.refinedImages
               << " images\n";
-    // After each, so that a run cut short leaves what it has.
+    // Written after each, so that a run that is cut short leaves its results so far.
     std::ofstream(folder / "placement.md") << page(rows, scaling, context.description());
     std::ofstream(folder / "placement.svg") << plot(rows);
   }

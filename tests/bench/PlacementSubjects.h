@@ -14,7 +14,7 @@ struct Structure {
   bool isPhantom = false;
 };
 
-/// Two of the phantoms and ten of the real-data collection. Real data that is not there is left out, and said on
+/// Two of the phantoms and ten of the real-data collection. Real data that is not there is left out, with a line on
 /// standard error.
 std::vector<Structure> structures();
 

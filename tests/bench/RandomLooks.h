@@ -1,5 +1,5 @@
 #pragma once
-// Transfer functions and views at random, for errors on what nobody chose.
+// Random transfer functions and views, to measure errors on looks that were not chosen by hand.
 
 #include <random>
 

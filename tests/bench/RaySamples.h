@@ -1,6 +1,7 @@
 #pragma once
-// What rays meet in a volume, in short stretches: what a statistic over many rays needs, where the reference's exact
-// pieces would take too long. By the CPU, in double precision, with the parts of the reference; trilinear values alone.
+// The structures that rays meet in a volume, in short stretches, for statistics over many rays, where the reference's
+// exact pieces would take too long. On the CPU, in double precision, with the parts of the reference; trilinear values
+// alone.
 
 #include <cstdint>
 #include <optional>
@@ -13,7 +14,7 @@
 
 namespace fenestra::bench {
 
-/// A part of a ray along which nothing is taken to change: all is as in its middle.
+/// A part of a ray that counts as uniform, with the values of its middle.
 struct Stretch {
   double begin = 0.0, end = 0.0;  ///< t, mm
   double extinction = 0.0;        ///< 1/mm, > 0
@@ -39,8 +40,9 @@ class RaySampler {
   /// `scene` must outlive it.
   explicit RaySampler(const Scene& scene);
 
-  /// From `from` mm on, in stretches of at most half the finest spacing. Context is, as everywhere, what has an opacity
-  /// above 1/255 over 1 mm; less is left out. `light` is that of the camera. Empty where `from` is NaN.
+  /// From `from` mm on, in stretches of at most half the finest spacing. Context is, as everywhere, a value with an
+  /// opacity above 1/255 over 1 mm; fainter ones are left out. `light` is that of the camera. Empty where `from` is
+  /// NaN.
   SampledRay along(const reference::Ray& ray, double from, const reference::Light& light) const;
 
   const Scene& scene() const { return scene_; }

@@ -7,7 +7,7 @@
 
 namespace fenestra::bench {
 
-/// The error bound on ten scenes: what is asked for against what is measured.
+/// The error bound on ten scenes: the bound against the measured errors.
 Section boundsSection(const Options& options, const TruthStore& truths);
 
 /// Every setting's and peer's time against its error.
@@ -18,9 +18,9 @@ Section looksSection(const Options& options, const TruthStore& truths);
 Section randomSection(const Options& options, const TruthStore& truths);
 /// Each stage's error in its own unit.
 Section stageSection(const Options& options, const TruthStore& truths);
-/// What each pass takes; these three need no reference pictures.
+/// The time of each pass; these three need no reference pictures.
 Section passSection(const Options& options, const TruthStore& truths);
-/// What a slider's move takes.
+/// The time of a slider's move.
 Section updateSection(const Options& options, const TruthStore& truths);
 /// Memory and passes of each kind of scene.
 Section memorySection(const Options& options, const TruthStore& truths);

@@ -1,5 +1,5 @@
 #pragma once
-// What the report measures: data, views and pixels, the same for the renderer and for its peers.
+// The subjects of the report: data, views and pixels, the same for the renderer and for its peers.
 
 #include <string>
 #include <vector>
@@ -13,7 +13,7 @@ class App;
 
 namespace fenestra::bench {
 
-/// What the renderer and its peers must agree on for their pictures to be compared.
+/// Settings that the renderer and its peers must share so that their pictures can be compared.
 struct Views {
   glm::ivec2 size{700, 650};
   int cameras = 3;          ///< along the path
@@ -42,8 +42,8 @@ struct Subjects {
 };
 /// The report's data: a phantom, a CT head, a labelled torso, an MR head; those that `views` asks for.
 Subjects reportSubjects(const Views& views);
-/// Those that methods are compared on: a small structure behind a rib, a skull, a deep one in a labelled brain, organs
-/// and a vessel of a labelled torso.
+/// The subjects on which methods are compared: a small structure behind a rib, a skull, a deep one in a labelled brain,
+/// organs and a vessel of a labelled torso.
 Subjects methodSubjects(const Views& views);
 /// Ten scenes of every kind, for the error bound.
 Subjects boundSubjects(const Views& views);
@@ -57,7 +57,7 @@ inline constexpr double litLimit = 16.0;
 /// How often the path is gone along, for the times' median.
 inline constexpr int pathRounds = 3;
 
-/// Millimetres between samples, of so many per voxel at the finest spacing.
+/// Millimetres between samples, from their number per voxel at the finest spacing.
 double stepLength(const Grid& grid, double samplesPerVoxel);
 
 }  // namespace fenestra::bench

@@ -107,7 +107,7 @@ std::vector<std::string> comparison(const std::string& subject, const Row& peer,
   return cells;
 }
 
-/// What the peers made of a subject with lighting, with errors against their own limits.
+/// The peers' results for a subject with lighting, with errors against their own limits.
 std::vector<Row> litPeers(const std::string& subject, const Peers& peers) {
   std::vector<Row> rows;
   for (const PeerRun& run : peers.runs)

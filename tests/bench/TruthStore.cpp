@@ -20,7 +20,7 @@ class Digest {
   void add(std::span<const std::byte> bytes) {
     for (const std::byte byte : bytes) hash_ = (hash_ ^ static_cast<std::uint64_t>(byte)) * 0x100000001b3u;
   }
-  /// Plain numbers and vectors of them: nothing with padding.
+  /// Plain numbers and vectors of them, without padding.
   template <class... T>
   void add(const T&... values) {
     (add(std::as_bytes(std::span(&values, 1))), ...);

@@ -167,7 +167,7 @@ class Bench {
     std::vector<double> handled, focus, picture;
     std::optional<double> made;
     QObject context;
-    QObject::connect(&preparation.context(), &RenderContext::freed, &context, [&] {
+    QObject::connect(&preparation.glContext(), &GlContext::freed, &context, [&] {
       if (!made && preparation.gpuScene()->holds(document.scene())) made = now();
     });
     const int first = slider->value();

@@ -40,11 +40,11 @@ using Vector = std::array<double, 3>;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-// What the renderer promises.
+// Tolerances that the renderer promises.
 constexpr double hitTolerance = 2e-3;       // voxels from the 0.5 level
 constexpr double distanceTolerance = 1e-4;  // pixels
 constexpr double startTolerance = 0.02;     // voxels along the ray
-// How densely the focus is sampled along a ray, in voxels. What is thinner than that can go unseen here.
+// Step of the samples of the focus along a ray, in voxels. A thinner piece of focus may be missed here.
 constexpr double sampleStep = 0.01;
 
 struct Unusable : std::runtime_error {

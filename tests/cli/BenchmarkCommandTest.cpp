@@ -5,7 +5,7 @@
 namespace fenestra::tests {
 namespace {
 
-/// Every scene with so many settings, each with times in their order.
+/// Expects `settings` settings for each scene, with their times in order.
 void expectTimes(const Json& json, std::size_t settings) {
   EXPECT_EQ(json.at("size"), Json({64, 60}));
   ASSERT_EQ(json.at("scenes").size(), 3u);

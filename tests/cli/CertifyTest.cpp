@@ -1,4 +1,4 @@
-// fenestra-cli render --certify: what it states, held against whole reference pictures.
+// fenestra-cli render --certify: its statements against whole reference pictures.
 
 #include <cmath>
 
@@ -89,12 +89,13 @@ TEST_F(Certify, ThePictureCarriesItsProofAndNoPath) {
   EXPECT_EQ(proof.at("scene").get<std::string>().substr(0, 7), "sha256:");
   EXPECT_EQ(io::readPicture(at("x.png")).size, glm::ivec2(60, 50));
 
-  // The same elsewhere: only what is shown counts.
+  // A copy at another path has the same certificate: only what is shown counts.
   const std::string moved = at("moved.nii");
   fs::copy(volume, moved);
   const Json again = run({"render", moved, "--size", "60x50", "--certify", "-o", at("y.png")}).json();
   EXPECT_EQ(again, proof);
-  const Json other = run({"render", moved, "--size", "60x50", "--certify", "--camera", "10,0", "-o", at("y.png")}).json();
+  const Json other =
+      run({"render", moved, "--size", "60x50", "--certify", "--camera", "10,0", "-o", at("y.png")}).json();
   EXPECT_NE(other.at("scene"), proof.at("scene"));
 }
 

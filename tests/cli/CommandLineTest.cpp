@@ -1,4 +1,4 @@
-// What all commands of fenestra-cli share: usage, options, bad input and output.
+// Shared by all commands of fenestra-cli: usage, options, bad input and output.
 
 #include <functional>
 

@@ -27,7 +27,7 @@ TEST_F(EdgesCommand, PicturesAreTheReferencesAndOffIsTheDefault) {
   ASSERT_EQ(render("smooth.png", {"--max-error", "1", "--edges", "smooth"}).exitCode, 0);
   ASSERT_EQ(render("truth.png", {"--edges", "smooth", "--reference"}).exitCode, 0);
   EXPECT_EQ(contents(at("off.png")), contents(at("plain.png")));
-  // A bound of 1/255 and two 8-bit roundings, but for what rays graze.
+  // A bound of 1/255 and two 8-bit roundings, except where rays graze a surface.
   EXPECT_LT(shareBeyond(2.0, "smooth.png", "truth.png"), 0.002);
   EXPECT_GT(shareBeyond(5.0, "plain.png", "truth.png"), 0.02) << "the test would notice";
 }

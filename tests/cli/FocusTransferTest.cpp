@@ -22,7 +22,7 @@ class FocusTransfer : public CommandLine {
     arguments.insert(arguments.end(), more.begin(), more.end());
     return run(arguments);
   }
-  /// The difference of two pictures that so many of a hundred channels do not exceed, 0 to 1.
+  /// The percentile of the difference of two pictures over their channels, 0 to 1.
   double difference(const std::string& a, const std::string& b, const char* percentile) const {
     const Json report = run({"compare", at(a), at(b)}).json();
     return report.contains("percentiles") ? report["percentiles"][percentile].get<double>() : 2.0;

@@ -165,7 +165,7 @@ TEST_F(Grow, SelectPaintsTheRegion) {
   EXPECT_GT(one, 100);
   const auto two = count(hits("--select ball:0,0,0:40 --select ball:90,0,0:20", "two"));
   EXPECT_GT(two, one);
-  // What a ball takes leaves a hole through the other.
+  // A ball that is taken away leaves a hole through the other one.
   EXPECT_LT(count(hits("--select ball:0,0,0:40 --select=-ball:0,0,0:41 --select ball:90,0,0:20", "hole")),
             two - one + 9);
   EXPECT_NE(hits("--select ball:0,0,0:40:1", "soft"), hits("--select ball:0,0,0:40", "hard"));

@@ -36,7 +36,7 @@ TEST_F(MethodCommand, PicturesAreTheReferences) {
     SCOPED_TRACE(method);
     ASSERT_EQ(render("here.png", method), 0);
     ASSERT_EQ(render("truth.png", method + " --reference"), 0);
-    // A bound of 1/255 and two 8-bit roundings, but for what the opening's rim grazes.
+    // A bound of 1/255 and two 8-bit roundings, except where the opening's rim grazes a surface.
     EXPECT_LT(shareBeyond(2.0, "here.png", "truth.png"), 0.01);
     EXPECT_GT(shareBeyond(2.0, "adaptive.png", "truth.png"), 0.02) << "the test would notice";
   }

@@ -13,7 +13,7 @@ TEST_F(OcclusionCommand, PicturesAreTheReferences) {
   ASSERT_EQ(render("plain.png", ""), 0);
   ASSERT_EQ(render("both.png", both), 0);
   ASSERT_EQ(render("truth.png", both + "--reference"), 0);
-  // A bound of 1/255 and two 8-bit roundings, but for what the opening's rim grazes.
+  // A bound of 1/255 and two 8-bit roundings, except where the opening's rim grazes a surface.
   EXPECT_LT(shareBeyond(2.0, "both.png", "truth.png"), 0.01);
   EXPECT_GT(shareBeyond(2.0, "plain.png", "truth.png"), 0.1) << "the test would notice";
   ASSERT_EQ(render("off.png", "--occlusion 0 --shadow 0"), 0);

@@ -59,7 +59,7 @@ TEST_F(OpeningCameraCommand, LooksIntoAnOpeningThatAnotherCameraCut) {
   ASSERT_EQ(render("aside.png", "--freeze 170,0"), 0);
   EXPECT_NE(bytes("straight.png"), bytes("aside.png"));
   ASSERT_EQ(render("truth.png", "--freeze 170,0 --reference"), 0);
-  // Of a bound of 1/255, two 8-bit roundings and the pixels on the opening's rim.
+  // The bound of 1/255, two roundings to 8 bits, and the pixels on the opening's rim.
   EXPECT_LT(difference("aside.png", "truth.png"), 1.0);
   EXPECT_GT(difference("straight.png", "truth.png"), 5.0) << "the test would notice";
 }

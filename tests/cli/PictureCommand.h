@@ -17,7 +17,7 @@
 
 namespace fenestra::tests {
 
-/// The share of values that differ by more than so many 1/255 between two pictures.
+/// The share of values that differ by more than a limit, in 1/255, between two pictures.
 inline double shareBeyond(double limit, const std::string& a, const std::string& b) {
   const std::vector<float> one = io::readPicture(a).values, other = io::readPicture(b).values;
   EXPECT_EQ(one.size(), other.size());

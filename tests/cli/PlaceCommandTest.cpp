@@ -54,7 +54,7 @@ TEST_F(PlaceCommand, PlaceReportsBothCamerasAndDrawsTheMap) {
   EXPECT_GE(placed({"--sequential", "--refine"})["c1"]["quality"].get<double>(),
             0.99 * usual["c1"]["quality"].get<double>());
   EXPECT_NE(placed({"--sequential", "--weights", "1,0,0"})["c1"]["index"], usual["c1"]["index"]);
-  // The organs end at the top of the phantom's volume: looking down on them is worth what the weight says.
+  // The organs end at the top of the phantom's volume: a view down on them is worth as much as the weight says.
   const auto endFaces = [](const Json& placement) {
     return std::max(placement["c1"]["descriptors"]["end_face"].get<double>(),
                     placement["c2"]["descriptors"]["end_face"].get<double>());
@@ -93,7 +93,7 @@ TEST_F(PlaceCommand, PlaceReportsDescriptors) {
     EXPECT_LE(each["choice"]["degrees_from_c1"].get<double>(), 180.0);
     EXPECT_EQ(io::readPicture(at("seen/" + name + ".png")).size, glm::ivec2(80, 60));
   }
-  // Of one channel, I2 orders views as entropy does, reversed.
+  // H(Z) is the same for all views of a channel, so I2 orders them as entropy does, reversed.
   EXPECT_EQ(json["descriptors"]["i2"]["choice"]["index"], json["descriptors"]["entropy"]["choice"]["index"]);
   const Json& views = json["representative_views"]["views"];
   EXPECT_EQ(views[0]["index"], json["descriptors"]["entropy"]["choice"]["index"]);

@@ -1,4 +1,4 @@
-// fenestra-cli --modality: what a volume is whose file does not say.
+// fenestra-cli --modality, for volumes whose files do not name one.
 
 #include <array>
 

@@ -34,7 +34,7 @@ TEST_P(Replay, FindingsStayMended) {
   }
 }
 
-// Every truncation of every seed, as a first round of what a fuzzer does.
+// Every truncation of every seed, as a fuzzer's first round would try it.
 TEST_P(Replay, TruncatedSeedsNeverCrash) {
   for (const std::string& seed : seedsOf(GetParam()))
     for (std::size_t size = 0; size < seed.size(); size += 1 + seed.size() / 40)

@@ -1,6 +1,6 @@
 #pragma once
-// What libFuzzer feeds with bytes: every reader of files that people bring. An io::Error is the right answer to bad
-// bytes; any other exception, a sanitizer's report, a hang or too much memory is a finding.
+// The entry points that libFuzzer feeds with bytes: every reader of files that people bring. An io::Error is the right
+// answer to bad bytes; any other exception, a sanitizer's report, a hang or too much memory is a finding.
 
 #include <cstddef>
 #include <filesystem>

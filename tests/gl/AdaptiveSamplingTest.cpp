@@ -1,5 +1,5 @@
 // Pictures whose pixels are smaller than the volume's voxels: rays are followed between those of a lattice only where
-// the picture is not smooth. What that may cost in accuracy, that nothing slips through, and that parts of a picture
+// the picture is not smooth. Tests what that costs in accuracy, that no detail is missed, and that parts of a picture
 // are redrawn as in a new one.
 
 #include <random>
@@ -33,7 +33,7 @@ std::vector<glm::vec4> drawn(const Scene& scene, const Camera& camera, glm::ivec
   return pixels;
 }
 
-/// What a lattice makes pixels differ by from those that have a ray each, in 1/255 of the worst channel. Sorted.
+/// Differences between a picture by a lattice and one with a ray a pixel, in 1/255 of the worst channel, sorted.
 struct Differences {
   std::vector<double> sorted;
   double rms = 0.0;

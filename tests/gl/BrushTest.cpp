@@ -45,7 +45,7 @@ BrushStroke painted(Renderer& renderer, BrushMode mode, const std::vector<glm::d
   return stroke;
 }
 
-/// The same without a renderer at hand: on the picture of a scene without strokes.
+/// Paints with a renderer of its own, on the picture of a scene without strokes.
 BrushStroke painted(const Scene& scene, const View& view, BrushMode mode, const std::vector<glm::dvec2>& pixels,
                     double radius = 4.0) {
   Renderer renderer(std::make_shared<GpuScene>());
@@ -71,8 +71,8 @@ reference::Edits truthOf(const Scene& scene, const View& view, const Layers& lay
 }
 
 /// Largest share of the strokes' effect by which the picture may miss the reference: float32 in positions on the
-/// picture (1e-5 px of a few px) and along the ray, of which the layers hold only what is left after the distance to
-/// the eye.
+/// picture (1e-5 px of a few px) and along the ray, whose t in the layers rounds the more coarsely the farther it is
+/// from the eye.
 double tolerance(const Scene& scene, const Layers& layers) {
   double farthest = 0.0, smallest = 1e30;
   for (const float t : layers.tContext)
@@ -384,7 +384,7 @@ TEST_F(Brush, PictureMatchesTheReference) {
     return layersOf(without, view);
   }();
 
-  // The renderer's own stages 1 to 4: what is compared is what the picture makes of them.
+  // The renderer's own stages 1 to 4, so that only the stages after them are compared.
   reference::Stages stages;
   stages.hits = reference::hitPoints(scene, view.camera, view.size);
   stages.hits.tContext = widened(layers.tContext);
@@ -411,7 +411,7 @@ TEST_F(Brush, PictureMatchesTheReference) {
   EXPECT_GT(edited, 60u);
 }
 
-/// What depends on strokes, bit for bit.
+/// Expects that the layers that depend on strokes are equal, bit for bit.
 void expectSamePicture(const Layers& a, const Layers& b, const std::string& after) {
   EXPECT_TRUE(sameBits(a.tStart, b.tStart)) << after;
   EXPECT_TRUE(sameBits(a.edits, b.edits)) << after;

@@ -30,7 +30,7 @@ Scene body() {
   return scene;
 }
 
-/// The same with a rod of label 2 through everything.
+/// body() with a rod of label 2 through all of it.
 Scene bodyWithRod() {
   Scene scene = body();
   const glm::dvec3 middle = (glm::dvec3(scene.volume->grid.dims) - 1.0) * 0.5;
@@ -186,7 +186,7 @@ TEST_F(ClippingTest, RaysFromFaceToFaceEndWhereTheyAreClipped) {
       const View view{camera, size, 1.0, Quality::Normal};
       Renderer renderer(gpuWith(schedule));
       renderer.render(scene, view);
-      // What a segment hides of itself: of second order in its depth, 1/255 at most here.
+      // The self-attenuation of a segment is of second order in its depth: 1/255 at most here.
       EXPECT_LE(worstOf(scene, view, renderer.readLayers()), 1.0) << each.name;
     }
 }
@@ -295,7 +295,7 @@ TEST_F(ClippingTest, SplinesAreTheReferences) {
         }
 }
 
-/// What all labels together keep is what there was, where labels are everything.
+/// Where every voxel has a label and all labels are exempt, clipping removes nothing.
 TEST_F(ClippingTest, WhereEverythingIsExemptNothingIsClipped) {
   Scene scene = body();
   scene.look.focus = std::monostate{};
@@ -362,7 +362,7 @@ TEST_F(ClippingTest, CostsNothingWithoutClipping) {
   EXPECT_EQ(renderer.imageBytes(), bytes);
   EXPECT_EQ(sources.size(), programs);
   EXPECT_GT(programs, 5u);
-  for (const std::string& source : sources) EXPECT_EQ(source.find("#define CLIPPED 1"), std::string::npos);
+  for (const std::string& source : sources) EXPECT_EQ(source.find("CLIPS = true"), std::string::npos);
 }
 
 TEST_F(ClippingTest, APickOnACappedFaceIsOnItsPlane) {

@@ -87,7 +87,7 @@ struct MadePicture {
     return all;
   }
 
-  /// What is seen of pixel i: the context layer over the focus, and the border over what is not focus.
+  /// The colour of pixel i: the context layer over the focus, and the border over what is not focus.
   glm::dvec4 truth(std::size_t i, glm::dvec2 widths, Given given) const {
     glm::dvec4 seen(focusLayer[i]);
     const double factor = given.edits ? static_cast<double>(edits[i].y) : 1.0;

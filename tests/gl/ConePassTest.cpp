@@ -21,7 +21,7 @@ struct MadeCones {
         rays(camera, size, grid),
         hits(madeHits(camera, size, grid, focus)) {}
 
-  /// The pass's picture, and the same over parts.
+  /// The pass's picture, drawn as a whole; parts must give the same.
   std::vector<float> starts(Schedule schedule, const ConePass::Cones& cones, const gl::Region& around) const {
     const gl::Texture hitImage = imageOf(hits.texels, size);
     ConePass pass;

@@ -47,7 +47,7 @@ struct Drawn {
   std::vector<float> silhouette;
 };
 
-/// The pass's images, and the same over parts.
+/// The pass's images, drawn as a whole; parts must give the same.
 Drawn draw(const Scene& scene, const Camera& camera, const MadeHits& made, glm::ivec2 size, Schedule schedule) {
   GpuScene gpu;
   gpu.setSchedule(schedule);

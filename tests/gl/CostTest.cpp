@@ -134,8 +134,8 @@ TEST_F(Cost, AFeatureAddsItsOwnBytesAndNoOthers) {
   const std::size_t cells = voxels;  // of one voxel each in a volume as small as this
   EXPECT_EQ(occluded["occluders"], cells * 16);
   EXPECT_EQ(occluded.erase("occluders"), 1u);
-  // The medium, the light at its nodes, and the same light with four nodes in a texel; and the steps in each direction.
-  // No ray takes more steps than there are cells along the three axes together, and one more ends them.
+  // The medium, the light at its nodes, that light with four nodes in a texel, and the steps in each direction. No ray
+  // takes more steps than there are cells along the three axes together, and one more ends them.
   const occlusion::Directions directions;
   const auto rays = static_cast<std::size_t>(directions.around + directions.towardsLight);
   const std::size_t steps = occluded["images"] - unlit.at("images") - cells * (4 + 4 + 16);

@@ -1,5 +1,5 @@
-// Smooth edges: pictures against the reference of the same definition, against pictures of shifted cameras, patched
-// under strokes, and that they cost nothing while they are off.
+// Smooth edges: pictures against the reference, against pictures of shifted cameras, and patched under strokes; while
+// they are off they cost nothing.
 
 #include <random>
 

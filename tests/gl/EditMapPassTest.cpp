@@ -97,7 +97,8 @@ std::size_t expectEditsMatch(const MadeEdits& made) {
     const std::vector<glm::vec2> edits = made.edits(schedule, project(made.strokes, made.rays));
     for (std::size_t i = 0; i < edits.size(); ++i) {
       EXPECT_NEAR(edits[i].x, truth.offset[i], allowed * effect + 2e-5) << "pixel " << i;
-      // Over the focus the context layer has the share of what was removed that is still gone, a quotient of lengths.
+      // Over the focus the context layer's share is a quotient of lengths: the part of the removed stretch that is
+      // still gone.
       const bool meetsFocus = !std::isnan(made.hits.truth.tFocus[i]);
       const double removed = meetsFocus ? unedited[i] - made.hits.truth.tContext[i] : infinity;
       EXPECT_NEAR(edits[i].y, truth.factor[i], 4.0 * allowed + (allowed * effect + 4e-5) / removed) << "pixel " << i;

@@ -46,7 +46,7 @@ View viewOf(const Scene& scene, double azimuth, double elevation, Projection pro
   return view;
 }
 
-/// Pixels whose colour is off by more than so many 1/255.
+/// Number of pixels whose colour is off by more than a limit in 1/255.
 template <class Colour>
 int beyond(double bound, const std::vector<glm::vec4>& picture, const std::vector<Colour>& truth) {
   EXPECT_EQ(picture.size(), truth.size());
@@ -112,7 +112,7 @@ TEST_F(Exploded, AtDegreeZeroItIsThePlainPictureToTheBit) {
   }
 }
 
-/// Nothing but a focus in its place: a context without extinction shows no parts.
+/// The context has no extinction, so that only the focus shows, in its place.
 TEST_F(Exploded, TheFocusStaysInItsPlace) {
   Scene scene = body(3, ExplosionAxes::Patient, 0.8);
   for (TransferFunction::Node& node : scene.look.context.function.nodes) node.properties.extinction = 0.0;
@@ -125,7 +125,7 @@ TEST_F(Exploded, TheFocusStaysInItsPlace) {
   EXPECT_GT(std::count_if(there.begin(), there.end(), [](const glm::vec4& pixel) { return pixel.a > 0.9f; }), 10);
 }
 
-/// What is picked in the exploded view is the place in the volume: where the picture shows that place again.
+/// A pick in the exploded view gives the place in the volume, which the picture shows where the pick was made.
 TEST_F(Exploded, PicksAreOfTheVolumeAndShowWhereTheyWerePicked) {
   for (const ExplosionAxes axes : {ExplosionAxes::Patient, ExplosionAxes::View}) {
     const Scene scene = body(3, axes, 0.8);
@@ -195,6 +195,18 @@ TEST_F(Exploded, ThePickOfTheFocusIsItsPlace) {
     const glm::dvec3 outside = middle + glm::dvec3(far);
     EXPECT_TRUE(std::isfinite(glm::length(renderer.shownAt(outside))));
   }
+}
+
+/// Marks are drawn over the last picture while another view has already brought the shared scene to its next state.
+TEST_F(Exploded, PlacesAreShownAlsoWhenTheSharedSceneHasLostItsFocus) {
+  Scene scene = body(2, ExplosionAxes::Patient, 0.5);
+  const View view = viewOf(scene, 0.0, 0.0);
+  const auto gpu = std::make_shared<GpuScene>();
+  Renderer behind(gpu), ahead(gpu);
+  behind.render(scene, view);
+  scene.look.focus = std::monostate{};
+  ahead.render(scene, view);
+  EXPECT_TRUE(std::isfinite(glm::length(behind.shownAt(scene.volume->grid.centre()))));
 }
 
 }  // namespace

@@ -55,7 +55,7 @@ Layers drawn(const Scene& scene, const View& view, Schedule schedule) {
   return renderer.readLayers();
 }
 
-/// Of the finished picture in 1/255, from the renderer's own starts.
+/// Errors of the finished picture in 1/255, where the reference takes the renderer's own ray starts.
 Errors pictureErrors(const Scene& scene, const View& view, const Layers& layers) {
   reference::Stages stages;
   if (hasCutaway(scene)) {
@@ -165,7 +165,7 @@ TEST_F(FaintLabelsTest, BoundsHoldBesideFunctionsOfTheFocusAndClipping) {
   }
 }
 
-/// The same body on a grid of n voxels along each axis; the labels change at the same planes for every even n.
+/// One body on a grid of n voxels along each axis; the labels change at the same planes for every even n.
 Scene refined(int n, bool lit) {
   const double spacing = 40.0 / n;
   Scene scene;
@@ -209,7 +209,7 @@ TEST_F(FaintLabelsTest, PicturesWithoutABoundAreNearTheReference) {
       plain.look.labels.clear();
       for (const Schedule schedule : schedules) {
         const double here = rmsOf(scene, aside(scene), schedule), before = rmsOf(plain, aside(plain), schedule);
-        // Errors of the same cells with the functions' cuts in them: no more than half as much again.
+        // The functions' cuts within these cells may raise the error by a half at most.
         EXPECT_LE(here, 1.5 * before + 0.1) << name << (lit ? ", lit, " : ", unlit, ") << nameOf(schedule);
       }
     }
@@ -295,7 +295,7 @@ TEST_F(FaintLabelsTest, CostNothingWhereThereAreNone) {
   const std::size_t rows = 2 * 16 * GpuScene::tableSize, index = 4 * GpuScene::tableSize;
   EXPECT_EQ(bytes["transfer tables"] - without["transfer tables"], rows + index);
 
-  // The picture is drawn by the same programs: none that declares the index.
+  // No further programs draw the picture, and none declares the index.
   std::set<std::string> sources, before;
   gl::ShaderProgram::listen(
       [&](const gl::ShaderProgram&, std::string_view, const std::string& source) { sources.insert(source); });

@@ -91,7 +91,7 @@ TransferFunction ramps(double density) {
            {850.0, {{1.0, 1.0, 0.8}, 0.7 * density}}}};
 }
 
-/// Three kinds of focus by value: one label, two of which one is of a material, and values.
+/// Three kinds of focus by value: one label; two labels, one of them with a material; a range of values.
 std::vector<Scene> scenesByValue(bool lit, const TransferFunction& function) {
   Scene one = waves(lit), two = one, values = one;
   put(one.look.labels, {.label = 1, .function = function});
@@ -163,7 +163,7 @@ TEST_F(FocusLayerPassTest, FocusNowhereAndEverywhere) {
   for (const bool open : {false, true}) expectMatch(everywhere, aside(everywhere), {33, 17}, open);
 }
 
-/// Greatest error in a medium that is the same everywhere, against Beer's law.
+/// Greatest error in a uniform medium, against Beer's law.
 double errorInAnEvenMedium(double extinction, Schedule schedule, const Sampling& sampling) {
   Scene scene = waves(false);
   scene.look.focus = {};

@@ -1,6 +1,6 @@
 #pragma once
-// What every test of the renderer shares: one windowless context, an error check at the end, and the comparison with
-// the double-precision reference.
+// Shared by every test of the renderer: one windowless context, an error check at the end, and the comparison with the
+// double-precision reference.
 
 #include <algorithm>
 #include <cmath>
@@ -124,7 +124,7 @@ inline void expectStagesMatch(const Layers& layers, const reference::HitPoints& 
   const reference::Widths widths = reference::widthsInPixels(scene, camera, size, 1.0);
   const reference::Image distance = reference::distanceMap(widened(layers.tFocus), size, widths.open + widths.border);
   const StageErrors distanceErrors = compareMaps(layers.distance, distance, 1.0);
-  // Squared distances are integers: what is left is one rounding of a square root below 2^14.
+  // Squared distances are integers, so the only error is one rounding of a square root below 2^14.
   EXPECT_LE(distanceErrors.max(), 1e-3) << "distance";
 
   reference::HitPoints own = truth;

@@ -1,4 +1,4 @@
-// What a scene on the GPU tells about it on the CPU.
+// Facts about a scene on the GPU that the CPU can ask for.
 
 #include <optional>
 
@@ -99,7 +99,7 @@ TEST_F(GpuSceneTest, AVolumeBeyondTheLimitsIsDrawnWithWholeVoxelsJoined) {
     direct.render(thin, {.camera = Camera::standard(StandardView::Anterior, scene.volume->grid), .size = {90, 70}});
     const std::vector<std::uint8_t> reduced = pictureOf(scene, DeviceLimits{32, {}});
     EXPECT_EQ(reduced, direct.readPicture()) << "as if the thinned volume had been opened";
-    // Of 255: voxels of twice the size move edges by a fraction of one.
+    // In 1/255: voxels of twice the size move edges by a fraction of a voxel.
     EXPECT_LT(meanDifference(reduced, pictureOf(scene)), 8.0);
     EXPECT_NE(reduced, pictureOf(scene));
   }
@@ -136,7 +136,7 @@ TEST_F(GpuSceneTest, TheTableIsHiddenAsIfItWereAir) {
   shown.look.hideTable = false;
   EXPECT_EQ(shownVolume(shown), ShownVolume{scene.volume});
   EXPECT_NE(pictureOf(shown), hidden);
-  // The same objects follow the choice both ways.
+  // A GpuScene that holds one setting follows a change to the other, both ways.
   GpuScene gpu;
   gpu.update(scene);
   const std::uint64_t first = gpu.versions().volume;

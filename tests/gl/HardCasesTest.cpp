@@ -195,7 +195,7 @@ std::vector<HardCase> hardCases() {
       // In the middle of a sheet one voxel thick its normal turns over, and where it is nearly zero the context's light
       // holds instead: a jump that points may lie to either side of; found 1.1.
       missing(1.5, withLabels("focusThinnerThanAStep", [](glm::ivec3 i) { return i.y == 10 ? 1 : 0; })),
-      // Smoothed, a chessboard is flat: its normals are at the edge of being none at all; found 5.2.
+      // A smoothed chessboard is flat, so that its normals are hardly longer than 0; found 5.2.
       missing(6.0, withLabels("focusLikeAChessboard", [](glm::ivec3 i) { return (i.x + i.y + i.z) % 2; })),
       with("focusOfTwoColours",
            [](Shot& shot) {
@@ -218,7 +218,7 @@ std::vector<HardCase> hardCases() {
       withWidths("openingNearlyThePicture", 70.0, 5.0),
       withWidths("openingWiderThanThePicture", 500.0, 500.0),
       withWidths("openingInMillimetres", 6.5, 1.0, WidthUnit::Millimetre),
-      // A piece of a cell knows to second order what it hides of itself, and here that is nothing; found 8.9.
+      // A piece of a cell has its self-attenuation to second order, which is far from enough here; found 8.9.
       missing(10.0, with("spikeNarrowerThanAVoxelsValues",
                          [=](Shot& shot) {
                            const OpticalProperties spike{{0.2, 0.8, 0.3}, 40.0};
@@ -264,7 +264,7 @@ std::vector<HardCase> hardCases() {
   };
 }
 
-/// What holds for any picture of the reference, whatever is in it.
+/// Checks that hold for any picture of the reference, whatever its contents.
 void expectSound(const reference::Picture& picture, double tolerance) {
   for (std::size_t i = 0; i < picture.final.size(); ++i) {
     EXPECT_LE(picture.error[i], tolerance);
@@ -298,7 +298,7 @@ void expectContextLayerMatches(const Layers& layers, const reference::Picture& t
     EXPECT_NEAR(here.z, there.z, 1e-3) << "illumination at " << pixels[i];
     EXPECT_NEAR(here.w, there.w, 1e-3 * valueRange) << "value at " << pixels[i];
   }
-  // Whether a ray that grazes a surface meets it is rounding's to say.
+  // Rounding decides whether a ray that grazes a surface meets it.
   EXPECT_LE(grazing, std::max<std::size_t>(1, truth.contextLayer.size() / 1000));
 }
 
@@ -354,7 +354,7 @@ TEST_P(HardCases, everyStage) {
 
   EXPECT_LE(worstColour(layers.focusLayer, truth.focusLayer, pixels), GetParam().colourLimit) << "focus layer";
   EXPECT_LE(worstColour(layers.final, truth.final, pixels), GetParam().colourLimit) << "final";
-  // The same frame twice, bit for bit; of large pictures once is enough.
+  // A second renderer draws the frame to the bit; large pictures are drawn once only, to save time.
   if (stride > 1000) return;
   Renderer again(std::make_shared<GpuScene>());
   again.render(shot.scene, view);
@@ -378,8 +378,8 @@ double worstOfFocusLayer(const Shot& shot) {
 TEST_P(HardCases, withOcclusionAndShadow) {
   Shot shot = GetParam().make();
   shot.scene.look.shading.enabled = true;
-  // Of a focus of everything, one of these pixels is off by 1.03 without occlusion, too. Amounts that change no colour
-  // have the reference integrate in the same pieces as it does below.
+  // In the case focusEverything, one of these pixels is off by 1.03 even without occlusion, so that error is the limit.
+  // Amounts that change no colour have the reference integrate in the same pieces as it does below.
   shot.scene.look.shading.occlusion = shot.scene.look.shading.shadow = 1e-12;
   const double without = worstOfFocusLayer(shot);
   shot.scene.look.shading.occlusion = 0.9;
@@ -433,8 +433,7 @@ double worstOfOpened(const Shot& shot) {
 
 TEST_P(HardCases, withEachMethod) {
   Shot shot = GetParam().make();
-  // Single ones of so many pixels are off with the adaptive cutaway, too: of a focus of everything, and of opaque
-  // voxels.
+  // A few of so many pixels are off with the adaptive cutaway, too, in the cases focusEverything and of opaque voxels.
   double limit = std::max(GetParam().colourLimit, worstOfOpened(shot));
   // At such a distance rounding tilts a cone's wall, whose normal is found from the rays' starts beside it.
   if (GetParam().name == std::string("aThousandKilometresAway")) limit = 4.1;
@@ -468,7 +467,7 @@ TEST_P(HardCases, withEachMethod) {
       least = std::max(GetParam().colourLimit, worstOfOpened(shot));
       shot.scene.look.method = method;
     }
-    // What lies behind shows through by the error of the opacity, beside that of the colour.
+    // The wall behind shows through by the error of the opacity, which adds to that of the colour.
     const auto walls = stagesOf(method).walls;
     if (walls && walls->placement == WallPlacement::Around) least *= 2.0;
     // Inside this sheet the light jumps (see the case), by more where the layer before it is gone and it lies in air:

@@ -1,4 +1,4 @@
-// What ClearView's lens reads of the context's surface, of hits that are given, against the reference.
+// The values that ClearView's lens reads of the context's surface, at given hits, against the reference.
 
 #include "rendering/passes/LensPass.h"
 
@@ -26,14 +26,14 @@ Scene body(const Grid& grid) {
   return scene;
 }
 
-/// The pass's image, and the same over parts.
+/// The pass's image, drawn as a whole; parts must give the same.
 std::vector<glm::vec4> draw(const Scene& scene, const RayFrame& rays, const MadeHits& made, Schedule schedule) {
   GpuScene gpu;
   gpu.setSchedule(schedule);
   gpu.update(scene);
   const glm::ivec2 size = rays.size();
   const gl::Texture hits = imageOf(made.texels, size);
-  // Of the line of sight to it the pass finds its own hit.
+  // The pass itself finds where the line of sight to the focus's middle meets the context.
   const glm::dvec3 focus = reference::focusCentre(scene);
   LensPass pass;
   gl::Texture surface = blank<glm::vec4>(size);

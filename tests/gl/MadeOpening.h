@@ -34,7 +34,7 @@ inline Camera aside(const Scene& scene, Projection projection = Projection::Pers
   return Camera::fromAngles(33.0, 21.0, scene.volume->grid, projection);
 }
 
-/// What the pass reads: stages 1 to 4 of the reference, rounded to float32, and the same for the reference.
+/// The pass's input: stages 1 to 4 of the reference, rounded to float32; and those rounded values for the reference.
 struct MadeOpening {
   std::vector<glm::vec2> hits;
   std::vector<float> starts;

@@ -61,7 +61,7 @@ class Methods : public GlTest {
   inline static gl::SharedPrograms programs_;
 };
 
-/// Share of the pixels, in per mille, whose colour is off by more than so many 1/255.
+/// Share of the pixels, in per mille, whose colour is off by more than a limit in 1/255.
 template <class Colour>
 double perMilleBeyond(double bound, const std::vector<glm::vec4>& picture, const std::vector<Colour>& truth) {
   EXPECT_EQ(picture.size(), truth.size());
@@ -73,7 +73,7 @@ double perMilleBeyond(double bound, const std::vector<glm::vec4>& picture, const
   return 1000.0 * static_cast<double>(beyond) / static_cast<double>(truth.size());
 }
 
-/// What the lens reads of the surface: rays that graze it are held to four in a thousand, as below.
+/// The lens's values of the surface: rays that graze it are held to four in a thousand, as below.
 void expectLensMatches(const std::vector<glm::vec4>& here, const std::vector<glm::dvec4>& truth) {
   ASSERT_EQ(here.size(), truth.size());
   std::size_t off = 0;
@@ -164,7 +164,7 @@ TEST_F(Methods, ALensOverTheCrosshairMatchesAndMoves) {
   EXPECT_GT(perMilleBeyond(4.0, drawn(scene, view).final, overFocus), 40.0);
 }
 
-/// Where light falls to nothing, the lowest sharpness makes a cusp of what fades, and the greatest a cut.
+/// Where light falls to 0, the lowest sharpness gives the fading a cusp, and the greatest a cut.
 TEST_F(Methods, ContextPreservingKeepsItsBoundAtAnySharpness) {
   for (const bool lit : {true, false})
     for (const glm::dvec2 parameters : {glm::dvec2(8.0, 0.3), glm::dvec2(10.0, 2.0)}) {
@@ -201,7 +201,7 @@ TEST_F(Methods, FocalRegionsKeepTheirBoundAtAnySize) {
   }
 }
 
-/// Of a sheared grid, of one voxel along an axis, of a spline; and of a focus that changes, by value too.
+/// On a sheared grid, on one of a single voxel along an axis, and in a spline; while the focus changes, by value, too.
 TEST_F(Methods, FocalDistancesFollowTheGridAndTheFocus) {
   const Method method{
       .kind = MethodKind::FocalRegion, .focalShape = FocalShape::Distance, .focalSize = 2.5, .focalFallOff = 4.0};
@@ -307,7 +307,7 @@ TEST_F(Methods, TheBorderFollowsTheRimOfWhatConesOpen) {
   stages.tCones = widened(layers.tStart);
   const StageErrors errors =
       compareMaps(layers.distance, reference::distanceMap(reference::openedBy(stages), size, 5.0), 1.0);
-  // Squared distances are integers: what is left is one rounding of a square root.
+  // Squared distances are integers, so the only error is one rounding of a square root.
   EXPECT_LE(errors.max(), 1e-5);
   int inBorder = 0;
   for (std::size_t i = 0; i < layers.distance.size(); ++i)
@@ -342,7 +342,7 @@ TEST_F(Methods, ClearViewMixesThePictureAndTheOpenedOne) {
         const double w = isSurface ? std::min(d, 1.0) : 1.0;
         const glm::dvec4 expected = w * glm::dvec4(plain.final[i]) + (1.0 - w) * glm::dvec4(clear.focusLayer[i]);
         const glm::dvec4 error = 255.0 * glm::abs(glm::dvec4(clear.final[i]) - expected);
-        // Three integrals of a bound of 0.5 each, of which this is a weighted mean and a difference.
+        // This is a weighted mean and a difference of three integrals with a bound of 0.5 each.
         off += std::max({error.r, error.g, error.b, error.a}) > 1.5;
         mixed += w < 0.9 && glm::distance(plain.final[i], clear.focusLayer[i]) > 0.1f;
       }
@@ -602,8 +602,8 @@ TEST_F(Methods, CutFacesOfConesAreLitByTheConesNormal) {
       const double face = std::abs(glm::dot(normal, light));
       // The rest of the light is that of a surface of average orientation.
       const double expected = glm::mix(lighting::meanIncidence, face, lighting::wallShare);
-      // The normal is found by differences over two pixels, of which the apex is eight or more away: within 1/6 · 1/64
-      // of its slope. The picture's bound is 0.5/255.
+      // The normal comes from differences over two pixels, eight or more away from the apex: within 1/6 · 1/64 of its
+      // slope. The picture's bound is 0.5/255.
       EXPECT_NEAR(layers.final[at(pixel)].r, expected, 0.006) << i << ", " << j;
       darkest = std::min(darkest, expected);
       brightest = std::max(brightest, expected);

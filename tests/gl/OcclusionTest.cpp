@@ -252,13 +252,13 @@ TEST_F(OcclusionTest, ChangesLeaveNothingBehind) {
   expectFresh(denser, "a clearer focus");
 }
 
-/// Off, no program has any of it.
+/// While it is off, no program contains any of its code.
 TEST_F(OcclusionTest, OffItIsInNoProgram) {
   std::set<std::string> paths;
   int with = 0;
   gl::ShaderProgram::listen([&](const gl::ShaderProgram&, std::string_view path, const std::string& source) {
     paths.insert(std::string(path));
-    with += source.find("#define OCCLUDED 1") != std::string::npos;
+    with += source.find("const bool OCCLUDES = true;") != std::string::npos;
   });
   const auto programs = [&] {
     return std::ranges::count_if(paths, [](const std::string& path) { return path.starts_with("Occlu"); });

@@ -49,7 +49,7 @@ double worstOf(glm::dvec4 difference) {
   return std::max({difference.r, difference.g, difference.b, difference.a});
 }
 
-/// Share of the pixels, in per mille, whose colour is off by more than so many 1/255.
+/// Share of the pixels, in per mille, whose colour is off by more than a limit in 1/255.
 template <class Colour>
 double perMilleBeyond(double bound, const std::vector<glm::vec4>& picture, const std::vector<Colour>& truth) {
   EXPECT_EQ(picture.size(), truth.size());

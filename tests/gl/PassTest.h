@@ -1,5 +1,5 @@
 #pragma once
-// What the tests of single passes share: images made from numbers and read back, sizes and parts of pictures that no
+// Shared by the tests of single passes: images made from numbers and read back, sizes and parts of pictures that no
 // group of invocations divides, and both schedules.
 
 #include <array>
@@ -69,7 +69,7 @@ gl::Texture imageOf(const std::vector<T>& texels, glm::ivec2 size) {
   return image;
 }
 
-/// An image for a pass to write: what no pass writes, so that a pixel that is left out shows.
+/// The value of an image's pixels before a pass. No pass writes it, so that a pixel that is left out shows.
 inline constexpr float unwritten = -12345.0f;
 template <class T>
 gl::Texture blank(glm::ivec2 size) {
@@ -138,7 +138,7 @@ inline float positionOf(double time, const RayFrame& rays) {
   return std::isnan(time) ? nothing : static_cast<float>(time - rays.distance());
 }
 
-/// Hits as a pass reads them, and the same for the reference.
+/// Hits as a pass reads them, and those values for the reference.
 struct MadeHits {
   std::vector<glm::vec2> texels;
   reference::HitPoints truth;

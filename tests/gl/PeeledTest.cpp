@@ -136,7 +136,7 @@ TEST_F(Peeled, OnlyWhatTheLayerDependsOnIsMadeAgain) {
   EXPECT_NE(gpu()->versions().volume, before.volume);
 }
 
-/// What is picked is the place in the volume: where the picture shows that place again.
+/// A pick gives the place in the volume, which the picture shows where the pick was made.
 TEST_F(Peeled, PicksAreOfTheVolumeAndShowWhereTheyWerePicked) {
   const Scene scene = body(LabelFocus{{1}}, 0.9);
   const Grid& grid = scene.volume->grid;

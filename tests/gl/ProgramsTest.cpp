@@ -48,7 +48,7 @@ void place(Scene scene, Schedule schedule) {
   placer.measure(gpu, scene, {.count = 12}, options);
 }
 
-/// What the scenes link under both schedules, and the pictures that come of it.
+/// The programs that the scenes link under both schedules, and the pictures that they draw.
 struct Drawn {
   Programs programs;
   std::vector<SceneKind> kinds;
@@ -114,10 +114,13 @@ TEST_F(ProgramsTest, EveryShaderIsLinkedInSeveralVariants) {
         "OcclusionNodes.comp",    "EdgePixels.comp",          "EdgeMeans.comp",         "CandidateHits.comp",
         "CandidateOutlines.comp", "CandidateVisibility.comp", "CandidateEnds.comp",     "Walls.comp"})
     EXPECT_GE(variants[path], 2) << path << ": one for each schedule at least";
-  for (const char* path : {"PixelsBetween.comp", "CandidateEdges.comp"}) EXPECT_GE(variants[path], 1) << path;
+  for (const char* path : {"QuincunxBetween.comp", "CentresBetween.comp", "SidesBetween.comp", "CandidateEdges.comp"})
+    EXPECT_GE(variants[path], 1) << path;
   for (const char* path : {"CandidateAreas.comp", "CandidateSums.comp"})
     EXPECT_GE(variants[path], 2) << path << ": with and without end faces";
   EXPECT_GE(variants["FocusLayer.comp"], 80);
+  EXPECT_GE(variants["FocusLayerApart.comp"], 8);
+  EXPECT_GE(variants["FocusLayerExploded.comp"], 8);
 }
 
 TEST_F(ProgramsTest, EachStaysWithinWhatOpenGlGuarantees) {
@@ -282,6 +285,16 @@ TEST_F(ProgramsTest, UnknownNamesAndWrongTypesAreAsserted) {
   program.set("reach", 1);
   EXPECT_DEATH(program.set("reached", 1), "declares no uniform");
   EXPECT_DEATH(program.set("reach", 1.0f), "Assertion");
+}
+
+TEST_F(ProgramsTest, WhatASourceDoesNotUseIsAsserted) {
+  const gl::Variant needed{{}, {scheduleChoice(Schedule::Plain)}};
+  EXPECT_DEATH(gl::ShaderProgram::compute("FocusTiles.comp", needed + gl::Variant{{{"FOCUS", 1}}, {}}),
+               "a define is not used");
+  EXPECT_DEATH(gl::ShaderProgram::compute("FocusTiles.comp", needed + needed), "a choice is not used, or given twice");
+  EXPECT_DEATH(
+      gl::ShaderProgram::compute("FocusTiles.comp", needed + gl::Variant{{}, {{"fading", "lib/fading/None.glsl"}}}),
+      "a choice is not used");
 }
 #endif
 

@@ -1,4 +1,4 @@
-// What the opening leaves of protected labels, alone: against the reference and a closed form.
+// The layer of protected labels within the opening, alone: against the reference and a closed form.
 
 #include "rendering/passes/ProtectedLayerPass.h"
 
@@ -82,7 +82,7 @@ TEST_F(ProtectedLayerPassTest, IsTheReferencesInBothSchedules) {
 }
 
 TEST_F(ProtectedLayerPassTest, ASlabInAnEvenMediumFollowsBeersLaw) {
-  // Along y: a slab of 3 voxels before the focus, in a medium that is the same everywhere.
+  // Along y: a slab of 3 voxels before the focus, in a uniform medium.
   constexpr double extinction = 0.07, spacing = 1.2;
   Scene scene = waves(false);
   const OpticalProperties even{{0.9, 0.5, 0.2}, extinction};

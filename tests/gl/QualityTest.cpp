@@ -1,5 +1,5 @@
-// What draft and normal quality promise: the order of their errors, what they must not step over, and where the focus
-// begins and ends in them. High quality is a bound on the error, which the hard cases hold.
+// The promises of draft and normal quality: the order of their errors, the details that they must not step over, and
+// where the focus begins and ends. High quality is a bound on the error, which the hard cases hold.
 
 #include "rendering/reference/Picture.h"
 #include "tests/gl/GlTest.h"
@@ -162,13 +162,13 @@ TEST_F(QualityErrors, NormalLightsAFocusOfValuesByTheNormalsInItsCells) {
   scene.look.context.function = {{{0.0, {{1.0, 1.0, 1.0}, 0.0}}}};
   scene.look.cutaway.enabled = false;
   scene.look.shading.enabled = true;
-  // What normal quality is to keep; by one light and normals that run evenly it would be 2.06.
+  // The error that normal quality must keep to; with one light and evenly varying normals it would be 2.06.
   EXPECT_LT(errorsOf(scene, aside(scene), Quality::Normal).rms, 1.0);
 }
 
 TEST_F(QualityErrors, NormalStepsOverNoThinLayer) {
   // Values that run evenly, and a layer a fifth of a voxel thick, nearly transparent: from face to face it is exact but
-  // for what it hides of itself.
+  // for its self-attenuation.
   const Grid grid = gridOf({40, 40, 40});
   Scene scene;
   scene.volume = volumeOf<std::int16_t>(grid, [](glm::ivec3 i) { return 100 * i.x + 60 * i.y; });

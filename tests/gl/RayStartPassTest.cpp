@@ -10,7 +10,7 @@ namespace {
 
 constexpr double openWidth = 9.0;
 
-/// Everything the pass reads, and the same for the reference.
+/// All input of the pass, and the same values for the reference.
 struct MadeStart {
   Grid grid = obliqueGrid({24, 18, 14});
   Camera camera;
@@ -36,7 +36,7 @@ struct MadeStart {
     }
   }
 
-  /// The pass's picture, and the same over parts.
+  /// The pass's picture, drawn as a whole; parts must give the same.
   std::vector<float> starts(Schedule schedule, double width, bool edited) const {
     const gl::Texture hitImage = imageOf(hits.texels, size), filledImage = imageOf(filled, size),
                       distanceImage = imageOf(distances, size), editImage = imageOf(edits, size);

@@ -1,5 +1,5 @@
-// Splines between the voxels: hits and bounded pictures against the reference of the same spline, in both schedules,
-// and what happens where the device has no room for one.
+// Splines between the voxels: hits and bounded pictures against the reference's spline, in both schedules, and the
+// fallback where the device has no room for one.
 
 #include "rendering/reference/Picture.h"
 #include "tests/gl/GlTest.h"

@@ -11,7 +11,7 @@ namespace {
 
 constexpr glm::ivec2 size{80, 66};
 
-/// A body with an organ in focus, of which a ball takes some, with a saw's cut and a bent plane beside.
+/// A body with an organ in focus; a ball removes a part of the organ, a saw and a bent plane cut beside it.
 Scene carvedBody(const Focus& focus, const Method& method) {
   Scene scene = bodyWithOrgans<std::int16_t>(gridOf({40, 36, 34}));
   scene.look.context.function = {{{20.0, {glm::dvec3(0.8, 0.5, 0.4), 0.0}},

@@ -63,7 +63,7 @@ TEST_F(Passes, ReRunOnlyWhatAChangeReaches) {
   EXPECT_EQ(after([](Scene& s) { s.look.background = glm::dvec3(0.2); }), "");
   EXPECT_EQ(after([](Scene& s) { s.look.backdrop = Backdrop::Gradient; }), "");
   EXPECT_EQ(after([](Scene& s) { s.look.focusAppearance.extinction = 1.0; }), "focus layer, composite");
-  // What the focus shows by value moves none of its surface.
+  // A focus that is shown by value has the same surface.
   const TransferFunction byValue{{{0.0, {glm::dvec3(1.0), 0.0}}, {100.0, {glm::dvec3(1.0), 0.5}}}};
   EXPECT_EQ(after([&](Scene& s) { put(s.look.labels, {.label = 1, .function = byValue}); }), "focus layer, composite");
   // A colour moves no surface; the value at which the context begins does.
@@ -283,7 +283,7 @@ TEST_F(Passes, SkippingEmptySpaceNeverChangesThePicture) {
     // texels, over each of which light changes by up to a quarter.
     const double tolerance = lit ? 1e-6 : 1e-20;
     const Layers skipped = renderOnce(scene, viewOf(scene).camera, size, Quality::Normal).layers;
-    // An extinction that nothing can be seen of makes every brick count as occupied.
+    // An extinction too small to be seen makes every brick count as occupied.
     Scene everywhere = scene;
     for (TransferFunction::Node& node : everywhere.look.context.function.nodes)
       node.properties.extinction = std::max(node.properties.extinction, 1e-30);

@@ -121,7 +121,7 @@ inline std::vector<std::pair<std::string, Method>> otherMethods() {
                   .importanceOpacity = 0.3,
                   .sparseness = sparseness};
   };
-  // Of bodies as small as these, lenses whose lines run through the picture in other places.
+  // The bodies are small: lenses of several radii, whose lines run through the picture in different places.
   const auto lens = [](LensFade fade, double radius) {
     return Method{
         .kind = MethodKind::ClearView, .lensFade = fade, .lensRadius = radius, .lensBends = 0.7, .lensRim = 8.0};
@@ -175,7 +175,7 @@ inline Scene clipped(Scene scene, bool grey) {
   return scene;
 }
 
-/// All of them for one voxel type; of the others, whose shaders differ in how they read a voxel alone, every seventh.
+/// All kinds for one voxel type; every seventh for the others, whose shaders differ in how they read a voxel alone.
 inline std::vector<SceneKind> allSceneKinds() {
   std::vector<SceneKind> kinds, others;
   addSceneKinds<std::int16_t>("int16", kinds);

@@ -1,5 +1,5 @@
-// Pictures that are drawn a tile at a time: the same bits as in one run, in every stage, wherever the tiles are cut and
-// whatever was dropped half way before.
+// Pictures that are drawn a tile at a time: every stage has the bits of a single run, wherever the tiles are cut, and
+// whichever picture was abandoned half way before.
 
 #include <random>
 
@@ -35,11 +35,12 @@ Layers whole(const std::shared_ptr<GpuScene>& gpu, const Scene& scene, const Vie
 
 TEST_F(Tiles, MakeTheSamePictureAsOneRunInEveryKindOfScene) {
   const std::vector<SceneKind> kinds = allSceneKinds();
-  for (const Schedule schedule : {Schedule::Plain, Schedule::Llvmpipe})
+  for (const Schedule schedule : {Schedule::Plain, Schedule::Llvmpipe}) {
+    // One for all scenes: a program is linked once.
+    const auto gpu = std::make_shared<GpuScene>();
+    gpu->setSchedule(schedule);
     for (const SceneKind& kind : kinds) {
       SCOPED_TRACE(kind.name + ", " + std::string(nameOf(schedule)));
-      const auto gpu = std::make_shared<GpuScene>();
-      gpu->setSchedule(schedule);
       Renderer inOneRun(gpu), inTiles(gpu);
       inOneRun.render(kind.scene, kind.view);
       inTiles.begin(kind.scene, kind.view);
@@ -54,9 +55,10 @@ TEST_F(Tiles, MakeTheSamePictureAsOneRunInEveryKindOfScene) {
       }
       if (HasFailure()) return;
     }
+  }
 }
 
-/// A change of scene or view, each of which reaches other stages.
+/// A change of scene or view; each change affects different stages.
 struct Change {
   std::string name;
   std::function<void(Scene&, View&)> apply;

@@ -70,7 +70,7 @@ std::vector<glm::dvec4> truthOf(const Scene& scene, const Camera& camera, const 
   return reference::wallColours(scene, camera, size, slices, rays);
 }
 
-/// Pixels whose rays run along a wall, or end at it, are rounding's to decide: four in a thousand.
+/// Rounding decides on pixels whose rays run along a wall or end at it: four in a thousand.
 void expectNear(const std::vector<glm::vec4>& here, const std::vector<glm::dvec4>& truth, double tolerance) {
   ASSERT_EQ(here.size(), truth.size());
   std::size_t off = 0;

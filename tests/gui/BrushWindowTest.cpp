@@ -10,7 +10,7 @@
 
 #include "tests/gui/WindowFixture.h"
 #include "tests/support/TestData.h"
-#include "viewer/NoticeBar.h"
+#include "viewer/bars/NoticeBar.h"
 #include "viewer/model/Paths.h"
 #include "viewer/panels/BrushPanel.h"
 #include "viewer/panels/SliderSpin.h"
@@ -325,7 +325,7 @@ TEST_F(FreshBrush, SaysWhereRestoringChangesNothing) {
   EXPECT_EQ(obstacleAt(onSkin()), BrushObstacle::NothingRemoved);
   const std::array<QImage, 2> before = look();
   QTest::mouseClick(volume(0), Qt::LeftButton, {}, onSkin());
-  EXPECT_EQ(steps().count(), 0) << "and it does change nothing";
+  EXPECT_EQ(steps().count(), 0) << "and it changes nothing";
   pointAt(onSkin());
   space();
   EXPECT_EQ(brush().settings().mode, BrushMode::Open);

@@ -13,6 +13,7 @@
 #include "viewer/panels/CarvingRows.h"
 #include "viewer/panels/CutawayPanel.h"
 #include "viewer/panels/SliderSpin.h"
+#include "viewer/views/ScenePreparation.h"
 
 namespace fenestra::viewer {
 namespace {
@@ -177,7 +178,7 @@ TEST_F(CarveWindow, StrokesWaitWhileTheContextIsTaken) {
   std::atomic<bool> done{false};
   const auto end = qScopeGuard([&] {  // also where an assertion fails
     done = true;
-    volume(0)->preparation().context().stop();
+    volume(0)->preparation().glContext().stop();
   });
   const auto takeContext = [&] {
     done = false;
@@ -216,8 +217,10 @@ TEST_F(CarveWindow, StrokesWaitWhileTheContextIsTaken) {
 }
 
 TEST_F(CarveWindow, PressedBesideTheVolumeItDoesNothing) {
+  const Camera camera = cameras().camera(0);
   carve(volume(0), {4, 4}, {30, 4});
   EXPECT_TRUE(document().removals().empty());
+  EXPECT_EQ(cameras().camera(0), camera) << "the view does not turn";
   EXPECT_EQ(steps(), 0);
 }
 

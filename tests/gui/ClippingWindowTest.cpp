@@ -3,6 +3,7 @@
 #include <QAction>
 #include <QDockWidget>
 #include <QMenu>
+#include <QMouseEvent>
 #include <QTest>
 
 #include "tests/gui/WindowFixture.h"

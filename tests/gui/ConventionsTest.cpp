@@ -17,12 +17,12 @@
 
 #include "tests/gui/WindowFixture.h"
 #include "tests/support/TestData.h"
-#include "viewer/Dialogs.h"
-#include "viewer/Gestures.h"
-#include "viewer/Guide.h"
-#include "viewer/GuideWindow.h"
-#include "viewer/Sessions.h"
-#include "viewer/WindowLevelDialog.h"
+#include "viewer/dialogs/Dialogs.h"
+#include "viewer/dialogs/Gestures.h"
+#include "viewer/dialogs/WindowLevelDialog.h"
+#include "viewer/files/Sessions.h"
+#include "viewer/guide/Guide.h"
+#include "viewer/guide/GuideWindow.h"
 #include "viewer/panels/AppearancePanel.h"
 
 namespace fenestra::viewer {
@@ -37,7 +37,7 @@ class Conventions : public Window {
     const QKeyCombination key = QKeySequence(QLatin1String(keys))[0];
     QTest::keyClick(window_.get(), key.key(), key.keyboardModifiers());
   }
-  /// What is done opens a dialog, which is closed again.
+  /// The action opens a dialog, which is closed again.
   template <class Action>
   void expectDialogOf(const Action& action) {
     bool opened = false;

@@ -15,7 +15,7 @@
 #include "io/TransferFunctionFile.h"
 #include "tests/gui/WindowFixture.h"
 #include "tests/support/TestData.h"
-#include "viewer/NoticeBar.h"
+#include "viewer/bars/NoticeBar.h"
 #include "viewer/panels/AppearancePanel.h"
 
 namespace fenestra::viewer {
@@ -362,7 +362,7 @@ TEST_F(EditorWindow, EachLabelInFocusHasALevelAndAColour) {
   EXPECT_EQ(plot().target(), FunctionTarget()) << "its label has left the focus";
 }
 
-/// Of any channel, 0 to 255.
+/// The greatest difference in any channel, 0 to 255; 256 for other sizes.
 int greatestDifference(const QImage& a, const QImage& b) {
   if (a.size() != b.size()) return 256;
   int most = 0;
@@ -391,8 +391,8 @@ TEST_F(EditorWindow, ALabelInFocusIsShownByValueAndByOneMaterialAgain) {
   EXPECT_TRUE(editor().byValue()->isChecked());
   EXPECT_EQ(document().labelSetting(body), LabelSetting{.label = body}) << "only the label that was chosen";
   waitUntilDrawn();
-  // At first the function is constant and the same. By value, normal quality lights a segment in two halves, not in
-  // one.
+  // At first the function is constant and equals the material. By value, normal quality lights a segment in two halves,
+  // not in one.
   EXPECT_LE(greatestDifference(picture(volume(0)), material), 8);
 
   ASSERT_EQ(plot().function().nodes.size(), 2u);

@@ -13,8 +13,8 @@
 #include "tests/io/DicomWriter.h"
 #include "tests/io/LabelFiles.h"
 #include "tests/support/TestData.h"
-#include "viewer/Exports.h"
-#include "viewer/NoticeBar.h"
+#include "viewer/bars/NoticeBar.h"
+#include "viewer/exports/Exports.h"
 
 namespace fenestra::viewer {
 namespace {

@@ -50,7 +50,8 @@ class SmallDriver {
 
  private:
   static void answer(GLenum name, GLint* value) {
-    // Not what was replaced: before its first call that is epoxy's resolver, which would come back here.
+    // The real function, not the pointer that was replaced: before its first call that is epoxy's resolver, which would
+    // come back here.
     static const auto real =
         reinterpret_cast<PFNGLGETINTEGERVPROC>(QOpenGLContext::currentContext()->getProcAddress("glGetIntegerv"));
     if (name == GL_MAX_3D_TEXTURE_SIZE)

@@ -6,7 +6,7 @@
 
 #include "tests/gui/FailingDriver.h"
 #include "tests/gui/WindowFixture.h"
-#include "viewer/NoticeBar.h"
+#include "viewer/bars/NoticeBar.h"
 #include "viewer/panels/CamerasPanel.h"
 
 namespace fenestra::viewer {

@@ -14,6 +14,7 @@
 #include "io/LabelWriter.h"
 #include "io/PhantomFile.h"
 #include "rendering/Renderer.h"
+#include "rendering/gpu/GpuScene.h"
 #include "rendering/scene/Slice.h"
 #include "tests/gui/WindowFixture.h"
 #include "tests/io/DicomWriter.h"
@@ -69,7 +70,7 @@ class FirstMinute : public Window {
     const int wanted = static_cast<int>(std::lround(sliceGeometry(grid, SlicePlane::Axial).pixelFromWorld(world).z));
     const int before = axial->slice();
     if (before != wanted) wheel(axial, 1);
-    const int forward = axial->slice() - before;  // of a notch
+    const int forward = axial->slice() - before;  // slices for one notch
     while (axial->slice() != wanted) {
       const int now = axial->slice();
       wheel(axial, (wanted > now) == (forward > 0) ? 1 : -1);
@@ -92,7 +93,7 @@ class FirstMinute : public Window {
   void expectOpen() {
     EXPECT_NE(cameras().camera(0), before_);
     std::size_t ofFocus = 0, open = 0;
-    volume(0)->inContext([&](const std::shared_ptr<GpuScene>& gpu) {
+    volume(0)->inGlContext([&](const std::shared_ptr<GpuScene>& gpu) {
       Renderer renderer(gpu);
       renderer.render(volume(0)->shownScene(), volume(0)->restView());
       const Layers layers = renderer.readLayers();
@@ -128,14 +129,13 @@ class FirstMinute : public Window {
     EXPECT_LT(size(), ml.y);
     expectOpen();
   }
-  /// The same in the Visible Human's head: 245 DICOM files of 512×512.
+  /// Plays the minute in the Visible Human's head: 245 DICOM files of 512×512.
   void playHead(glm::dvec3 seed, glm::dvec2 ml, const std::string& name) {
     const fs::path head = tests::unpackTestData("visible-human/VHMCT1mm_Head.tar.xz", "VHMCT1mm_Head");
     if (head.empty()) GTEST_SKIP() << "needs the test-data file visible-human/VHMCT1mm_Head.tar.xz";
     playRegion({head}, seed, ml, name);
   }
-  /// The same in a phantom as DICOM, where the structure's label says how large it is: the part of it that holds the
-  /// seed.
+  /// Plays the minute in a phantom as DICOM. The label of the structure says how large the part is that holds the seed.
   void playPhantom(const std::string& name, const std::string& modality, glm::dvec3 seed,
                    const std::string& structure) {
     const io::OpenedPhantom phantom = io::openPhantom(name, 180);

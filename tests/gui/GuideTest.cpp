@@ -19,8 +19,8 @@
 
 #include "tests/gui/PseudoLocale.h"
 #include "tests/gui/WindowFixture.h"
-#include "viewer/Guide.h"
-#include "viewer/GuideWindow.h"
+#include "viewer/guide/Guide.h"
+#include "viewer/guide/GuideWindow.h"
 #include "viewer/panels/SliderSpin.h"
 
 namespace fenestra::viewer {
@@ -207,7 +207,7 @@ TEST_F(GuideOfWindow, NamesMenusKeysAndPanelsThatThereAre) {
   };
   addKeys(window_->menuBar()->actions());
   for (const QDockWidget* each : window_->findChildren<QDockWidget*>()) panels << each->windowTitle();
-  // Of gestures and of lists.
+  // Keys of gestures and of lists.
   keys += QSet<QString>{"Ctrl", "Shift", "Alt", "Space", "Delete", "1", "3", "7"};
 
   int paths = 0, named = 0, docks = 0;

@@ -18,15 +18,15 @@
 #include "io/study/ReadStudy.h"
 #include "tests/gui/Likeness.h"
 #include "tests/gui/WindowFixture.h"
-#include "viewer/Tour.h"
+#include "viewer/guide/Tour.h"
 #include "viewer/panels/CutawayPanel.h"
 
 namespace fenestra::viewer {
 namespace {
 
-/// Likeness of a fresh picture to the stored one. On one machine the palette of the stored pictures leaves 0.996, and a click
-/// that lands a voxel further 0.96; other fonts move some letters. Without the opening, or without a panel, it is 0.03
-/// and less, which the walk checks.
+/// Least likeness of a fresh picture to the stored one. On one machine the palette of the stored pictures leaves 0.996,
+/// and a click that lands a voxel further 0.96; other fonts move some letters. Without the opening, or without a panel,
+/// it is 0.03 and less, which the walk checks.
 constexpr double leastLikeness = 0.7;
 
 /// As the program reads its phantoms.

@@ -1,6 +1,7 @@
 // Undo and redo of a document's edits.
 
 #include <array>
+#include <functional>
 #include <random>
 
 #include <gtest/gtest.h>
@@ -316,6 +317,61 @@ TEST(History, StrokesAreCountedByTheirAnchors) {
   document.setStrokes(std::move(two), QStringLiteral("Stroke"));
   // The second step holds the second stroke alone; the allocator may add a few bytes.
   EXPECT_NEAR(static_cast<double>(document.history().bytes()), 2.0 * static_cast<double>(one), 1000.0);
+}
+
+/// Steps hold what they point to, or the limit of the history would not be one.
+TEST(History, EverythingThatALookPointsToIsCounted) {
+  constexpr std::size_t count = 1000;
+  const TransferFunction function{std::vector<TransferFunction::Node>(count)};
+  const std::vector<glm::dvec3> points(count);
+  const struct {
+    const char* name;
+    std::size_t bytes;
+    std::function<void(Look&)> change;
+  } parts[] = {
+      {"function of the context", sizeof(TransferFunction::Node),
+       [&](Look& look) { look.context.function = function; }},
+      {"function of the focus", sizeof(TransferFunction::Node),
+       [&](Look& look) { look.focusAppearance.function = function; }},
+      {"function of a label", sizeof(TransferFunction::Node),
+       [&](Look& look) { look.labels = {{.label = 1, .function = function}}; }},
+      {"labels", sizeof(LabelSetting), [&](Look& look) { look.labels.resize(count); }},
+      {"labels in focus", sizeof(std::uint16_t),
+       [&](Look& look) { look.focus = LabelFocus{std::vector<std::uint16_t>(count)}; }},
+      {"seeds", sizeof(glm::dvec3),
+       [&](Look& look) {
+         look.focus = RegionFocus{{{0, 0, 0}}, points, {}};
+       }},
+      {"painted region", sizeof(glm::dvec3),
+       [&](Look& look) {
+         look.focus = RegionFocus{{}, {}, {}, {{points}}};
+       }},
+      {"brush stroke", sizeof(glm::dvec3), [&](Look& look) { look.strokes = {{.anchors = points}}; }},
+      {"carving", sizeof(glm::dvec3), [&](Look& look) { look.removals.emplace_back().points = points; }},
+      {"bends", sizeof(Bend), [&](Look& look) { look.removals.emplace_back().bends.resize(count); }},
+      {"labels that are never clipped", sizeof(std::uint16_t), [&](Look& look) { look.clipping.exempt.resize(count); }},
+      {"file", 1, [&](Look& look) { look.context.file = std::string(count, 'x'); }},
+  };
+  for (const auto& part : parts) {
+    SCOPED_TRACE(part.name);
+    Document document;
+    document.open(study());
+    Look look = document.look();
+    part.change(look);
+    document.edit(QStringLiteral("step"), std::move(look));
+    EXPECT_GE(document.history().bytes(), count * part.bytes);
+    EXPECT_LT(document.history().bytes(), count * part.bytes + 20000) << "counted once";
+  }
+}
+
+TEST(History, AFocusBesideAnEditOfLabelsIsCounted) {
+  Document document;
+  document.open(study());
+  segmentation::LabelEdit edit = segmentation::renamed(*document.labels(), 1, "another");
+  std::shared_ptr<const LabelMap> after = edit.applied(document.labels().get());
+  const std::vector<glm::dvec3> seeds(1000);
+  document.editLabels(QStringLiteral("step"), std::move(edit), std::move(after), RegionFocus{seeds, {}, {}});
+  EXPECT_GE(document.history().bytes(), seeds.size() * sizeof(glm::dvec3));
 }
 
 }  // namespace

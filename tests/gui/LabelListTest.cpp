@@ -76,7 +76,7 @@ TEST_F(LabelListWindow, AClickIn3DMeetsAProtectedStructureInTheOpening) {
   constexpr std::uint16_t shield = 3;
   const glm::dvec3 before(17.0, -32.0, 17.0);  // in front of the marker, as the camera looks from anterior
   io::Study study = markedBall();
-  const auto volume = std::const_pointer_cast<Volume>(study.scene.volume);  // nobody else has them yet
+  const auto volume = std::const_pointer_cast<Volume>(study.scene.volume);  // not shared yet
   const auto labels = std::const_pointer_cast<LabelMap>(study.scene.labels);
   const Grid& grid = volume->grid;
   for (int i = 0; i < 6 * 6 * 6; ++i) {
@@ -253,7 +253,7 @@ TEST_F(LabelListWindow, TheShareThatIsSeenShowsOnceCamerasArePlaced) {
   waitUntilDrawn();
   const auto share = placement().share(marker);
   ASSERT_TRUE(share);
-  // The only label in focus: what is seen of it is what is seen of the focus.
+  // This is the only label in focus, so its share is that of the focus.
   EXPECT_NEAR(share->both, placement().share().value(), 1e-12);
   EXPECT_LE(std::max(share->c1, share->c2), share->both);
   EXPECT_GE(share->c1 + share->c2, share->both);

@@ -9,10 +9,10 @@
 #include "tests/gui/WindowFixture.h"
 #include "tests/io/DicomWriter.h"
 #include "tests/support/TestData.h"
-#include "viewer/FileOpener.h"
-#include "viewer/NoticeBar.h"
-#include "viewer/PictureExports.h"
-#include "viewer/SeriesChooser.h"
+#include "viewer/bars/NoticeBar.h"
+#include "viewer/dialogs/SeriesChooser.h"
+#include "viewer/exports/PictureExports.h"
+#include "viewer/files/FileOpener.h"
 #include "viewer/panels/AppearancePanel.h"
 
 namespace fenestra::viewer {
@@ -50,7 +50,7 @@ TimedApplication& application() { return static_cast<TimedApplication&>(*qApp); 
 class LongTasks : public Window {
  protected:
   /// The longest block of the GUI thread while `task` runs, in ms: the least of up to three runs, because another
-  /// program may hold a processor for longer than any event takes. What blocks does so in every run.
+  /// program may hold a processor for longer than any event takes. A task that really blocks does so in every run.
   template <class Task>
   double longestBlock(const Task& task) {
     constexpr int runs = 3;
@@ -120,7 +120,8 @@ TEST_F(LongTasks, ATurntableIsExportedWhileTheWindowAnswers) {
             allowed);
 }
 
-/// What the events of a drag do at once. The pictures that follow are paced by FramePacer; window-bench measures them.
+/// Time in the events of a drag themselves. The pictures that follow are paced by FramePacer; window-bench measures
+/// them.
 TEST_F(LongTasks, ATransferFunctionIsDraggedWhileTheWindowAnswers) {
   writeBall(folder_ / "a", 256, 300, "1.2.5.1");
   openFolder(folder_ / "a");

@@ -7,14 +7,15 @@
 #include <QClipboard>
 #include <QGuiApplication>
 #include <QMenu>
+#include <QMouseEvent>
 #include <QTest>
 
 #include "io/session/SessionFile.h"
 #include "tests/gui/WindowFixture.h"
 #include "tests/support/TestData.h"
-#include "viewer/Exports.h"
-#include "viewer/MeasureMenu.h"
-#include "viewer/Sessions.h"
+#include "viewer/actions/MeasureMenu.h"
+#include "viewer/exports/Exports.h"
+#include "viewer/files/Sessions.h"
 #include "viewer/model/MeasureText.h"
 
 namespace fenestra::viewer {

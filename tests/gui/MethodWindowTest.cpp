@@ -127,7 +127,7 @@ TEST_F(MethodWindow, LabelsHaveLevelsOfImportance) {
       document().isFocused(static_cast<std::uint16_t>(list.table()->item(0, 0)->data(Qt::UserRole).toUInt())) ? 1 : 0;
   box(row)->setValue(2);
   ASSERT_TRUE(QTest::qWaitFor([&] { return document().labelSetting(other).importance == 2; }));
-  // At 0 it is like all else.
+  // A label of level 0 is like all that has no level.
   box(row)->setValue(0);
   ASSERT_TRUE(QTest::qWaitFor([&] { return list.table()->rowCount() == 1; }));
   EXPECT_EQ(document().labelSetting(other), LabelSetting{.label = other});

@@ -1,5 +1,6 @@
 // The models behind the window, without widgets and without OpenGL.
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 
@@ -11,11 +12,13 @@
 #include <QSignalSpy>
 
 #include "tests/support/TestData.h"
+#include "viewer/model/ActiveTool.h"
 #include "viewer/model/Document.h"
 #include "viewer/model/DrawingTurns.h"
 #include "viewer/model/FramePacer.h"
 #include "viewer/model/Preferences.h"
 #include "viewer/model/SliceCursor.h"
+#include "viewer/model/StrokeMode.h"
 #include "viewer/model/ViewLink.h"
 
 namespace fenestra::viewer {
@@ -349,14 +352,14 @@ TEST(FramePacer, ViewsRefineInTurnTheLeaderFirst) {
   EXPECT_TRUE(pacer.mayRefine(1));
 }
 
-/// What DrawingTurns tells, in its order: the number of a view, or -1 for the end of a round.
+/// The events of DrawingTurns, in order: the number of a view, or -1 for the end of a round.
 class ToldTurns {
  public:
   explicit ToldTurns(DrawingTurns& turns) {
     QObject::connect(&turns, &DrawingTurns::turn, &context_, [this](int view) { told_.push_back(view); });
     QObject::connect(&turns, &DrawingTurns::roundEnded, &context_, [this] { told_.push_back(-1); });
   }
-  /// Of one round of the event loop.
+  /// The events of one round of the event loop.
   std::vector<int> next() {
     told_.clear();
     QCoreApplication::processEvents();
@@ -490,7 +493,7 @@ TEST(Preferences, DefaultsOfTheLookAreTheUsers) {
   Look look;
   look.cutaway.openWidth = 17.0;
   const Look ofScene = look;
-  look.reconstruction = Reconstruction::Auto;  // of the window alone
+  look.reconstruction = Reconstruction::Auto;  // the window's own default
   EXPECT_EQ(preferences.startingLook(ofScene), look) << "else, without a choice, those of a scene";
   preferences.set(Preference::Background, 0xff8000);
   preferences.set(Preference::WidthUnit, 1);
@@ -512,6 +515,25 @@ TEST(Preferences, QualityAtRestIsRememberedAndNonsenseIsNot) {
   QSettings().setValue(QStringLiteral("picture/quality"), 77);
   QSettings().setValue(QStringLiteral("picture/maxError"), QStringLiteral("nan"));
   EXPECT_EQ(Preferences().atRest(), Effort{});
+}
+
+TEST(ActiveTool, OneModeAtMostHasTheLeftButton) {
+  StrokeMode first, second, third;
+  ActiveTool tool({&first, &second, &third});
+  const auto active = [&] { return int{first.isActive()} + int{second.isActive()} + int{third.isActive()}; };
+  int most = 0;
+  QObject::connect(&tool, &ActiveTool::changed, &tool, [&] { most = std::max(most, active()); });
+  EXPECT_EQ(tool.mode(), nullptr);
+  EXPECT_FALSE(tool.putDown());
+  for (StrokeMode* mode : {&first, &second, &third, &first}) {
+    mode->setActive(true);
+    EXPECT_EQ(tool.mode(), mode);
+    EXPECT_EQ(active(), 1);
+  }
+  EXPECT_EQ(most, 1) << "also while listeners hear of it";
+  EXPECT_TRUE(tool.putDown());
+  EXPECT_EQ(tool.mode(), nullptr);
+  EXPECT_EQ(active(), 0);
 }
 
 TEST(FramePacer, TellsTheLastFrameAndForgetsWhatAnotherQualityCost) {

@@ -106,7 +106,7 @@ class Monkey : public Window, public testing::WithParamInterface<unsigned> {
     Window::SetUp();
     // Dialogs and menus wait for an answer: the monkey waits a moment and leaves them.
     QObject::connect(&closer_, &QTimer::timeout, [this] {
-      QDrag::cancel();  // of selected text: Qt waits until the display's own mouse is released
+      QDrag::cancel();  // a drag of selected text waits for the display's own mouse
       if (QWidget* popup = QApplication::activePopupWidget()) {
         event_ += "; closed " + nameOf(*popup);
         popup->close();
@@ -237,7 +237,7 @@ class Monkey : public Window, public testing::WithParamInterface<unsigned> {
       waitUntilDrawn();
     }
     GlObjects objects;
-    volume(0)->inContext([&](const auto&) { objects = glObjects(); });
+    volume(0)->inGlContext([&](const auto&) { objects = glObjects(); });
     return objects;
   }
 
@@ -300,8 +300,8 @@ TEST_P(Monkey, TheWindowSurvivesAndAnswers) {
     // has run once: of an opening (14), and of a picked pixel, strokes, what an opening camera removes (two), protected
     // structures and context edges; and their buffers: three of strokes, and one of rays between those of the lattice.
     // The window may hold a few dialogs that leave it usable. Some widgets are made when they are first needed and
-    // kept, such as Qt's rubber band of a dragged dock. What grew with one of a hundred of 10 000 events would be far
-    // more.
+    // kept, such as Qt's rubber band of a dragged dock. A leak in one of a hundred events would make far more of 10
+    // 000.
     constexpr int renderers = 4, imagesOfPasses = 14 + 6, buffersOfPasses = 4, dialogs = 4, madeOnce = 10;
     if (half == 1) {
       EXPECT_LE(objects.kept(), before.kept() + renderers * (imagesOfPasses + buffersOfPasses));

@@ -43,7 +43,7 @@ TEST(Overlay, TextStandsOutFromBrightTissueAtBothDensities) {
          {QColor(Qt::white), QColor(190, 190, 190), QColor(225, 205, 160), QColor(Qt::black)}) {
       SCOPED_TRACE(background.name().toStdString() + " at " + std::to_string(ratio));
       const QImage image = corner(background, ratio), onBlack = corner(Qt::black, ratio);
-      // Letters: what is bright over black as well.
+      // Letters are the pixels that are bright over black as well.
       const auto isLetter = [&](int x, int y) {
         return onBlack.rect().contains(x, y) && luminance(onBlack.pixel(x, y)) > 0.4;
       };
@@ -68,8 +68,8 @@ TEST(Overlay, TextStandsOutFromBrightTissueAtBothDensities) {
         }
       ASSERT_GT(letterCount, 50);
       ASSERT_GT(besideCount, 50);
-      // 4.5 is what WCAG 2.1 asks of text (success criterion 1.4.3). Smoothing lowers what is reached, at single
-      // density to 6.5 even over black.
+      // WCAG 2.1 asks for a contrast of 4.5 (success criterion 1.4.3). Smoothing lowers the contrast: at single density
+      // to 6.5 even over black.
       EXPECT_GT(contrast(letters / letterCount, beside / besideCount), 4.5);
     }
 }
@@ -173,7 +173,7 @@ TEST_F(Window, AScaleBarStandsInParallelViewsAlone) {
     SCOPED_TRACE(view->objectName().toStdString());
     const int pixels = barLength(picture(view));
     ASSERT_GT(pixels, 0);
-    // Device pixels, of which either end may be off by one.
+    // Device pixels; either end may be off by one.
     const double mm = (pixels - 1) / (pixelsPerMm * window_->devicePixelRatioF());
     EXPECT_LT(roundness(mm), 2.0 / (pixels - 1)) << mm << " mm";
   };
@@ -274,7 +274,8 @@ TEST_F(Window, TheCrosshairIsOverTheSamePointInAllFiveViews) {
     EXPECT_NEAR(at->x(), seen->x(), tolerance);
     EXPECT_NEAR(at->y(), seen->y(), tolerance);
   };
-  // A slice cuts the cube through its centre: half a voxel, of which a view shows some 50, for voxels cut in two.
+  // A slice cuts the cube through its centre; a view shows some 50 voxels, and voxels cut in two move the edge by half
+  // of one.
   for (SliceView* view : views().sliceViews()) expectOverMarker(view, true, 0.02);
   // In 3-D the cube is seen from outside: its near face is 9 mm closer to the eye, and off the view's middle by a
   // third.

@@ -10,10 +10,11 @@
 #include <QTest>
 
 #include "rendering/Renderer.h"
+#include "rendering/gpu/GpuScene.h"
 #include "tests/gui/WindowFixture.h"
 #include "tests/support/Scenes.h"
+#include "viewer/views/GlContext.h"
 #include "viewer/views/PictureSurface.h"
-#include "viewer/views/RenderContext.h"
 
 namespace fenestra::viewer {
 namespace {
@@ -72,7 +73,7 @@ struct Surfaces : testing::Test {
     return window.surface->grab().convertToFormat(QImage::Format_RGB32);
   }
 
-  RenderContext context;
+  GlContext context;
   std::optional<Renderer> renderer;
   std::vector<std::uint8_t> whole;  ///< the last picture
 };

@@ -13,9 +13,9 @@
 #include "io/ImageWriter.h"
 #include "tests/gui/WindowFixture.h"
 #include "tests/support/TestData.h"
-#include "viewer/NoticeBar.h"
-#include "viewer/PictureDialog.h"
-#include "viewer/PictureExports.h"
+#include "viewer/bars/NoticeBar.h"
+#include "viewer/dialogs/PictureDialog.h"
+#include "viewer/exports/PictureExports.h"
 #include "viewer/model/Paths.h"
 
 namespace fenestra::viewer {
@@ -101,7 +101,7 @@ TEST_F(PictureWindow, APictureOf4000By3000IsTheWindowOnADenserScreen) {
   const QImage saved = load(folder_ / "large.png");
   ASSERT_EQ(saved.size(), QSize(4000, 3000));
   const auto placeOf = [&](const QWidget* view) { return QRect(view->mapTo(&views(), QPoint(0, 0)), view->size()); };
-  // What a screen of four times the density would show of a slice, text and lines included.
+  // A slice as a screen of four times the density shows it, text and lines included.
   for (SliceView* view : views().sliceViews()) {
     QImage dense(view->size() * scale, QImage::Format_RGB32);
     dense.setDevicePixelRatio(scale);
@@ -113,7 +113,8 @@ TEST_F(PictureWindow, APictureOf4000By3000IsTheWindowOnADenserScreen) {
     EXPECT_EQ(meanDifference(saved.copy(QRect(place.topLeft() * scale, place.size() * scale)), dense), 0.0)
         << view->objectName().toStdString();
   }
-  // Of a 3-D view there is none for such a screen: it must be what is on this one, with sharper edges.
+  // A 3-D view has no picture for such a screen to compare with: the saved one must be that on screen, with sharper
+  // edges.
   for (VolumeView* view : views().volumeViews()) {
     const QRect place = placeOf(view);
     const QImage large = saved.copy(QRect(place.topLeft() * scale, place.size() * scale));

@@ -6,6 +6,7 @@
 #include <QSignalSpy>
 #include <QTest>
 
+#include "rendering/gpu/GpuScene.h"
 #include "rendering/placement/Placer.h"
 #include "tests/gui/WindowFixture.h"
 #include "viewer/panels/CamerasPanel.h"
@@ -36,7 +37,7 @@ class PlacedWindow : public Window {
 
   PlacementForm& form() { return panel<CamerasPanel>().form(); }
 
-  static constexpr double same = 1e-9;  ///< of unit vectors after a few operations in double precision
+  static constexpr double same = 1e-9;  ///< error of unit vectors after a few operations in double precision
 };
 
 TEST_F(PlacedWindow, ChoosingALabelMovesBothViewsToTheAnswer) {
@@ -59,7 +60,7 @@ TEST_F(PlacedWindow, ChoosingALabelMovesBothViewsToTheAnswer) {
 }
 
 TEST_F(PlacedWindow, MeasuringInSlicesChangesNothing) {
-  ASSERT_TRUE(volume(0)->inContext([&](const std::shared_ptr<GpuScene>& gpu) {
+  ASSERT_TRUE(volume(0)->inGlContext([&](const std::shared_ptr<GpuScene>& gpu) {
     const PlacementSettings& settings = placement().settings();
     placement::Placer placer;
     const placement::Measured& whole = placer.measure(*gpu, document().scene(), settings.sampling, settings.options);

@@ -21,7 +21,7 @@
 namespace fenestra::viewer {
 namespace {
 
-constexpr double tolerance = 1e-9;  ///< of unit vectors after a few operations in double precision
+constexpr double tolerance = 1e-9;  ///< error of unit vectors after a few operations in double precision
 constexpr int patience = 5000;      ///< ms; reached only when something hangs
 
 /// The direction whose descriptors are best.
@@ -382,7 +382,7 @@ class Picking : public Placement {
     Placement::SetUp();
     change([](PlacementSettings& settings) { settings.byPick = true; });
   }
-  /// What a pick on the first label, at the corner of the volume, leads to.
+  /// The views rated for a pick on the first label, at the corner of the volume.
   placement::RatedViews rated(glm::dvec3 last) {
     return placement::rateViews(document_.scene(), {document_.scene().labels, {1}}, corner, 4,
                                 placement_.settings().liveSync, placement_.settings().options, last);

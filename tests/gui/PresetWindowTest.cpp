@@ -149,7 +149,7 @@ TEST_F(PresetWindow, ExportedAndImportedOnAnotherVolumeItIsTheSameLook) {
   picker().exportPreset();
   ASSERT_TRUE(fs::exists(file_));
   io::Study another = markedBall();
-  const auto volume = std::const_pointer_cast<Volume>(another.scene.volume);  // nobody else has it yet
+  const auto volume = std::const_pointer_cast<Volume>(another.scene.volume);  // not shared yet
   volume->slope = 2.0;
   volume->intercept = -100.0;
   volume->computeRange();

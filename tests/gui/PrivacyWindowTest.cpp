@@ -1,5 +1,5 @@
-// What names a patient stays where it was read from. A study whose files name one is opened, looked at and worked on
-// with the patient hidden; nothing that the window then shows, keeps, prints or writes may hold a word of it.
+// Data that names a patient stays where it was read from. A study whose files name one is opened, looked at and worked
+// on with the patient hidden; nothing that the window then shows, keeps, prints or writes may hold a word of it.
 
 #include <iostream>
 
@@ -22,10 +22,10 @@
 #include "tests/io/IoTesting.h"
 #include "tests/io/LabelFiles.h"
 #include "tests/support/TestData.h"
-#include "viewer/Exports.h"
-#include "viewer/NoticeBar.h"
-#include "viewer/PictureExports.h"
-#include "viewer/Sessions.h"
+#include "viewer/bars/NoticeBar.h"
+#include "viewer/exports/Exports.h"
+#include "viewer/exports/PictureExports.h"
+#include "viewer/files/Sessions.h"
 #include "viewer/model/Paths.h"
 #include "viewer/panels/FileDialog.h"
 

@@ -50,7 +50,7 @@ TEST(Program, AScreenshotShowsCoarseDataAsTheWindowDoes) {
     const QString file = qt(scratch / name);
     run(QStringList{"--phantom", "torso", "--phantom-voxels", "32", "--size", "900x700", "--screenshot", file} + more);
     const QImage window(file);
-    return window.copy(0, window.height() / 6, window.width() / 4, window.height() / 4);  // of a 3-D view
+    return window.copy(0, window.height() / 6, window.width() / 4, window.height() / 4);  // a part of a 3-D view
   };
   const QImage first = picture("first.png", {});
   ASSERT_FALSE(first.isNull());

@@ -9,8 +9,8 @@
 #include "io/VolumeWriter.h"
 #include "tests/gui/WindowFixture.h"
 #include "tests/support/TestData.h"
-#include "viewer/LoadingBar.h"
-#include "viewer/NoticeBar.h"
+#include "viewer/bars/LoadingBar.h"
+#include "viewer/bars/NoticeBar.h"
 #include "viewer/panels/FocusPanel.h"
 #include "viewer/panels/RegionPanel.h"
 #include "viewer/panels/SliderSpin.h"
@@ -66,7 +66,7 @@ TEST_F(RegionWindow, AClickPlacesTheCamerasOnTheStructure) {
   EXPECT_TRUE(region().automatic()->isChecked());
   EXPECT_EQ(region().slider()->value(), document().regionStep());
 
-  // Its tolerance and further seeds refine what the cameras look at: they stay.
+  // Its tolerance and further seeds refine the region that the cameras look at, so that the cameras stay.
   const Camera placed = cameras().camera(0);
   wheel(slice(SlicePlane::Axial), 3, Qt::AltModifier);
   waitUntilDrawn();
@@ -176,7 +176,7 @@ TEST_F(RegionWindow, IsPaintedOnSlicesInOneStepAStroke) {
   EXPECT_TRUE(document().region()->inside.empty());
   EXPECT_EQ(document().undoStack().index(), steps + 1);
   waitUntilGrown();
-  // A cylinder between half balls, of voxels of 2 mm, of which those on its rim count whole or not.
+  // A cylinder between half balls, in voxels of 2 mm; a voxel on the rim counts as a whole or not at all.
   const double whole = (3.1416 * 36.0 * 30.0 + 4.0 / 3.0 * 3.1416 * 216.0) / 1000.0;
   EXPECT_NEAR(size(), whole, 0.3 * whole);
   const double line = size();
@@ -213,7 +213,7 @@ TEST_F(RegionWindow, IsPaintedIn3DOnWhatIsSeen) {
   const std::vector<SelectionStroke>& painted = document().region()->painted;
   ASSERT_EQ(painted.size(), 1u);
   EXPECT_GT(painted.front().anchors.size(), 1u);
-  // The ball of 44 mm is what is seen, of voxels of 2 mm.
+  // The stroke lies on what is seen: the ball of 44 mm, in voxels of 2 mm.
   for (const glm::dvec3 anchor : painted.front().anchors) EXPECT_NEAR(glm::length(anchor), 43.0, 4.0);
   waitUntilGrown();
   EXPECT_GT(size(), 2.0);
@@ -277,7 +277,7 @@ TEST_F(RegionWindow, PaintingTakesTurnsWithTheOtherTools) {
   EXPECT_FALSE(carving.isActive());
 }
 
-/// A stroke that would leave nothing is taken back, and said.
+/// A stroke that would leave no region is undone, with a message.
 TEST_F(RegionWindow, ErasingAllIsRefused) {
   document().paintSelection({{glm::dvec3(0.0)}, 9.0});
   waitUntilGrown();

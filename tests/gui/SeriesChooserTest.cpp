@@ -8,7 +8,7 @@
 #include "io/VolumeReader.h"
 #include "tests/io/DicomWriter.h"
 #include "tests/support/TestData.h"
-#include "viewer/SeriesChooser.h"
+#include "viewer/dialogs/SeriesChooser.h"
 
 namespace fenestra::viewer {
 namespace {

@@ -20,8 +20,8 @@
 #include "tests/gui/WindowFixture.h"
 #include "tests/io/IoTesting.h"
 #include "tests/support/TestData.h"
-#include "viewer/NoticeBar.h"
-#include "viewer/Sessions.h"
+#include "viewer/bars/NoticeBar.h"
+#include "viewer/files/Sessions.h"
 #include "viewer/model/Paths.h"
 #include "viewer/panels/FocusPanel.h"
 #include "viewer/panels/LabelEditPanel.h"
@@ -471,7 +471,7 @@ TEST_F(SessionWindow, KeptLabelsSurviveACrash) {
   controller().autosave();
   controller().waitUntilSaved();
   EXPECT_FALSE(document().labelsAreInFile()) << "a copy is no save";
-  // What a crash leaves: both files, without a lock.
+  // The files after a crash: both, without a lock.
   const fs::path left = folder_ / "left";
   fs::create_directory(left);
   for (const auto& entry : fs::directory_iterator(kept))

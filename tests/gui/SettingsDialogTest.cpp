@@ -13,8 +13,8 @@
 #include "io/VolumeWriter.h"
 #include "tests/gui/WindowFixture.h"
 #include "tests/support/TestData.h"
-#include "viewer/Sessions.h"
-#include "viewer/SettingsDialog.h"
+#include "viewer/dialogs/SettingsDialog.h"
+#include "viewer/files/Sessions.h"
 #include "viewer/panels/ColourButton.h"
 
 namespace fenestra::viewer {

@@ -15,8 +15,8 @@
 #include "tests/gui/WindowFixture.h"
 #include "tests/io/DicomWriter.h"
 #include "tests/support/TestData.h"
-#include "viewer/Sessions.h"
-#include "viewer/WindowLevelDialog.h"
+#include "viewer/dialogs/WindowLevelDialog.h"
+#include "viewer/files/Sessions.h"
 #include "viewer/model/PatientLines.h"
 
 namespace fenestra::viewer {
@@ -63,7 +63,7 @@ TEST(PatientLines, ComeFromTheDicomFiles) {
   const io::Study study = io::readStudy(request);
   EXPECT_EQ(patientLines(study.patient, study.series),
             (QStringList{"Müller, Jörg", "ID 0815", "M · 1961-12-31", "Schädel", "2019-07-05"}));
-  // And stay out of what is written.
+  // The session holds none of these texts.
   const std::string session = io::textOf(study.session, folder / "s.fenestra");
   for (const char* secret : {"ller", "0815", "19611231", "Sch"}) EXPECT_EQ(session.find(secret), std::string::npos);
 }
@@ -74,7 +74,7 @@ class StudyWindow : public Window {
     Window::SetUp();
     open(studyOfSomebody());
   }
-  /// What a view shows on screen.
+  /// The picture of a view on screen.
   QImage onScreen(QWidget* view) { return view->grab().toImage(); }
 };
 
@@ -85,7 +85,7 @@ TEST_F(StudyWindow, OneKeyHidesThePatientAndTheStudy) {
   EXPECT_TRUE(options().hidesPatient());
   const QImage without = onScreen(axial);
   EXPECT_NE(without, with);
-  // As of data that says nothing.
+  // The picture is that of data that names no patient.
   open(markedBall());
   EXPECT_EQ(onScreen(axial), without);
   QTest::keyClick(window_.get(), Qt::Key_H);

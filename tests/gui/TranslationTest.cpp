@@ -54,7 +54,7 @@ QStringList unmarkedWords(QString text) {
   return words;
 }
 
-/// What a widget itself shows, or would show.
+/// The texts that a widget itself shows, or would show.
 QStringList textsOf(const QWidget& widget) {
   QStringList texts{widget.toolTip(), widget.statusTip(), widget.whatsThis()};
   if (widget.isWindow() || qobject_cast<const QDockWidget*>(&widget)) texts << widget.windowTitle();
@@ -89,7 +89,7 @@ QString placeOf(const QObject* object) {
   return place;
 }
 
-/// Of a window and everything in it.
+/// The untranslated texts of a window and everything in it.
 QStringList untranslatedIn(const QWidget& window) {
   QStringList found;
   QList<const QWidget*> widgets{&window};
@@ -108,7 +108,7 @@ QStringList cutIn(const QWidget& window) {
   const auto check = [&](const QWidget* widget, const QString& text) {
     if (!widget->isVisible() || widget->visibleRegion().isEmpty() || text.isEmpty()) return;
     const QSize wanted = widget->minimumSizeHint().expandedTo(QSize(0, 0));
-    // What a panel scrolls out of sight is above or below, never beside.
+    // A panel scrolls its contents vertically alone, so that no widget may be cut off at its sides.
     const bool cutAside = widget->visibleRegion().boundingRect().width() < widget->width();
     if (widget->width() < wanted.width() || widget->height() < wanted.height() || cutAside)
       found << QStringLiteral("\"%1\" %2x%3 of %4x%5 in %6")

@@ -10,8 +10,8 @@
 #include "io/ImageWriter.h"
 #include "tests/gui/WindowFixture.h"
 #include "tests/support/TestData.h"
-#include "viewer/NoticeBar.h"
-#include "viewer/Verification.h"
+#include "viewer/bars/NoticeBar.h"
+#include "viewer/exports/Verification.h"
 
 namespace fenestra::viewer {
 namespace {

@@ -14,11 +14,11 @@
 #include "tests/gui/PseudoLocale.h"
 #include "tests/gui/WindowFixture.h"
 #include "tests/support/TestData.h"
-#include "viewer/Guide.h"
-#include "viewer/NoticeBar.h"
-#include "viewer/Sessions.h"
-#include "viewer/Tour.h"
-#include "viewer/WelcomePage.h"
+#include "viewer/bars/NoticeBar.h"
+#include "viewer/files/Sessions.h"
+#include "viewer/guide/Guide.h"
+#include "viewer/guide/Tour.h"
+#include "viewer/guide/WelcomePage.h"
 
 namespace fenestra::viewer {
 namespace {

@@ -14,7 +14,7 @@
 #include <QWheelEvent>
 
 #include "tests/support/TestData.h"
-#include "viewer/NoticeBar.h"
+#include "viewer/bars/NoticeBar.h"
 #include "viewer/model/Paths.h"
 
 namespace fenestra::viewer {

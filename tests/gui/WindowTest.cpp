@@ -12,6 +12,8 @@
 #include <QTimer>
 
 #include "rendering/Renderer.h"
+#include "rendering/gpu/GpuScene.h"
+#include "rendering/scene/Settings.h"
 #include "tests/gui/WindowFixture.h"
 #include "viewer/panels/AppearancePanel.h"
 #include "viewer/panels/ContextLayerPanel.h"
@@ -317,7 +319,7 @@ TEST_F(Window, ThePictureAtRestIsThatOfOneRun) {
   const QImage shown = volume(0)->grabSurface();
   std::vector<std::uint8_t> whole;
   const View view = volume(0)->restView();
-  ASSERT_TRUE(volume(0)->inContext([&](const std::shared_ptr<GpuScene>& gpu) {
+  ASSERT_TRUE(volume(0)->inGlContext([&](const std::shared_ptr<GpuScene>& gpu) {
     Renderer renderer(gpu);
     renderer.render(document().scene(), view);
     whole = renderer.readPicture();

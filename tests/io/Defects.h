@@ -16,7 +16,7 @@ namespace fenestra::tests {
 
 enum class Outcome { Error, Warning, Opens };
 
-/// What a defect must give: an error or a warning that holds `says`, or a volume without any warning.
+/// The result that a defect must give: an error or a warning that holds `says`, or a volume without any warning.
 struct Expected {
   Outcome outcome = Outcome::Opens;
   std::string says;

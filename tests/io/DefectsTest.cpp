@@ -22,7 +22,7 @@ std::string textsOf(const std::vector<io::Warning>& warnings) {
   return texts;
 }
 
-/// What opening the row's file gives: a volume's warnings, or those of the labels on their volume's grid.
+/// The warnings when the row's file is opened: a volume's warnings, or those of the labels on their volume's grid.
 std::vector<io::Warning> warningsOf(const Defect& defect, const fs::path& path) {
   if (defect.labelsOf.empty()) return io::openVolume(path, defect.options()).warnings;
   const Grid grid = io::openVolume(path.parent_path() / defect.labelsOf).volume->grid;

@@ -17,7 +17,7 @@ class DicomBytes {
   /// pixels are their items.
   void set(std::uint32_t tag, const std::string& vr, std::string value);
   void drop(std::uint32_t tag);
-  /// The same bytes under the VR "unknown", as servers store elements that they do not know.
+  /// Stores the element's bytes under the VR "unknown", as servers do with elements that they do not know.
   void makeUnknown(std::uint32_t tag);
   std::string& value(std::uint32_t tag);
 

@@ -177,8 +177,7 @@ Edit floats(std::uint32_t tag, const char* vr, int bits) {
   };
 }
 
-/// The dataset packed, whatever it is. A deflate stream is a zlib stream without two bytes of header and four of
-/// checksum.
+/// The dataset in deflated form. A deflate stream is a zlib stream without two bytes of header and four of checksum.
 std::string deflated(const std::string& written, const std::string& dataset) {
   const std::string packed = zlibbed(dataset);
   return written.substr(0, 144 + static_cast<unsigned char>(written[140])) + packed.substr(2, packed.size() - 6);

@@ -13,7 +13,7 @@
 namespace fenestra::tests {
 
 inline std::string numberText(double value) {
-  // 16 characters is what a decimal string holds.
+  // A decimal string holds 16 characters.
   char text[32];
   for (int digits = 15; digits > 5; --digits) {
     std::snprintf(text, sizeof text, "%.*g", digits, value);

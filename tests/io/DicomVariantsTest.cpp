@@ -191,7 +191,8 @@ TEST(DicomVariants, FloatFramesOfOneFileAreOrderedByPosition) {
 }
 
 TEST(DicomVariants, FoldersThatCannotBeListedAreSaid) {
-  // Not below the build folder: a checkout in root's home cannot be reached by the user that root becomes below.
+  // The folder is not below the build folder: a checkout in root's home cannot be reached by the user that root becomes
+  // below.
   std::string name = (fs::temp_directory_path() / "fenestra-closed-XXXXXX").string();
   ASSERT_NE(::mkdtemp(name.data()), nullptr);
   const fs::path folder = name;

@@ -10,7 +10,7 @@
 
 namespace fenestra::tests {
 
-/// What the program writes of each file, followed by the stored words and the modality lookup table.
+/// The record that the program writes of each file, followed by the stored words and the modality lookup table.
 struct GdcmRecord {
   std::uint8_t isImage = 0, isSigned = 0;
   std::int32_t bitsAllocated = 0;

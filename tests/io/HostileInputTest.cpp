@@ -90,7 +90,7 @@ TEST(HostileInput, TruncatedFilesAreErrors) {
   testing::internal::CaptureStderr();
   for (const Sample& sample : all) {
     SCOPED_TRACE(sample.name);
-    // Behind the last fragment of a compressed picture comes nothing that it needs.
+    // A compressed picture needs nothing behind its last fragment.
     const std::set<std::string> compressed{"rle", "jpeg", "jpegls", "j2k", "enhanced"};
     writeFile(folder / sample.name, sample.bytes);
     const std::vector<double> whole = realValues(*io::openVolume(folder / sample.name).volume);

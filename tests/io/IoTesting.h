@@ -1,5 +1,5 @@
 #pragma once
-// What the io tests share: files of known bytes, the form of errors, and volumes compared voxel by voxel.
+// Shared by the io tests: files of known bytes, the form of errors, and volumes compared voxel by voxel.
 
 #include <cstring>
 #include <filesystem>
@@ -36,7 +36,7 @@ std::string bzipped(const std::string& bytes);
 
 /// Every real value, x fastest.
 std::vector<double> realValues(const Volume& volume);
-/// What io::Error says about `act`; a test failure and "" when it throws none.
+/// The text of the io::Error that `act` throws; a test failure and "" when it throws none.
 std::string errorOf(const std::function<void()>& act);
 bool hasWarning(const std::vector<io::Warning>& warnings, io::Warning::Kind kind);
 /// The first warning of the kind; a test failure and an empty one when there is none.

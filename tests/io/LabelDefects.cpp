@@ -62,7 +62,7 @@ Defect structures(std::string name, const std::function<void(RtSpec&)>& change, 
       "rtstruct " + std::move(name), [=](const fs::path& path) { writeRtStruct(path, spec); }, std::move(expected));
 }
 
-/// The same with other coordinates of the first contour.
+/// structures() with other coordinates in the first contour.
 Defect coordinates(const std::string& name, const char* data, Expected expected) {
   return structures(
       name, [=](RtSpec& spec) { spec.rois[0].contours[0].data = data; }, std::move(expected));

@@ -343,7 +343,7 @@ TEST(RealDicom, EnhancedMultiFrame) {
 
 TEST(RealDicom, FragmentedFramesThatGdcmDoesNotDecode) {
   FENESTRA_TEST_DATA_OR_SKIP(folder, "dicom/enhanced");
-  // The same image, losslessly; GDCM reads this file as we do.
+  // This file holds the image without loss, and GDCM reads it as we do.
   const GdcmImage plain = readWithGdcm(folder / "CT0012.explicit_little_endian.dcm");
   struct Variant {
     const char* name;

@@ -241,7 +241,7 @@ TEST(RealImage, LeftHandedNrrdIsNotMirrored) {
   FENESTRA_TEST_DATA_OR_SKIP(path, "formats/nrrd-raw-slices-headsq/quarter.nhdr");
   const io::OpenedVolume opened = io::openVolume(path);
   warningOf(opened.warnings, io::Warning::Kind::NoGeometry);
-  // ITK refuses spacings together with a space. The same scan as DICOM, which GDCM reads as we do, tells both the
+  // ITK refuses spacings together with a space. The DICOM files of this scan, which GDCM reads as we do, tell both the
   // voxels and which way is right: slice order reversed, z upwards.
   FENESTRA_TEST_DATA_OR_SKIP(twin, "dicom/ct-tiny-uniform");
   const auto dicom = io::openVolume(twin).volume;

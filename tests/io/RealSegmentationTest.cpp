@@ -171,7 +171,7 @@ TEST(RealSegmentation, DcmqiGivesItsLabelMapsBack) {
   const auto fromSeg = io::openLabels(folder / "dcmqi/liver.dcm", liver);
   EXPECT_TRUE(fromSeg.warnings.empty()) << fromSeg.warnings.front().text;
   EXPECT_EQ(fromSeg.labels->find(1)->name, "Liver");
-  // Of 3D Slicer's colour table; 16 bits of CIELab keep more than 8 bits of sRGB.
+  // The colour is from 3D Slicer's table; 16 bits of CIELab keep more than 8 bits of sRGB.
   EXPECT_LT(glm::distance(fromSeg.labels->find(1)->colour, glm::dvec3(221, 130, 101) / 255.0), 0.001);
   expectSameLabels(*fromSeg.labels, *io::openLabels(folder / "dcmqi/liver_seg.nrrd", liver).labels);
 

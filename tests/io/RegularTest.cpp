@@ -23,7 +23,7 @@ namespace {
 /// Heights of slices in mm along the table.
 using Heights = std::vector<double>;
 
-/// Stored steps of what a field tells: fine enough for a hundredth of a millimetre, over 130 mm in 16 bits.
+/// Steps in which a field stores its values: fine enough for a hundredth of a millimetre, over 130 mm in 16 bits.
 constexpr double unit = 0.002;
 
 /// A series of 24 × `rows` pixels whose gantry is tilted by so many degrees around x.
@@ -196,7 +196,7 @@ TEST(Regular, ARodAlongTheTableStaysStraight) {
           }
         ASSERT_GT(weight, 100.0);
         const glm::dvec3 centre = sum / weight;
-        // Of a cross section at right angles to the gantry: the rod's axis where the plane's centroid lies.
+        // The centroid of the rod's cross section in a plane lies on the rod's axis.
         EXPECT_LE(glm::distance(glm::dvec2(centre), rod), 0.01) << "plane " << z;
       }
     }

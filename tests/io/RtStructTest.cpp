@@ -1,4 +1,4 @@
-// Structure sets of known content: what the even-odd rule fills, on which slices, and what is refused.
+// Structure sets of known content: the pixels and slices that the even-odd rule fills, and the sets that are refused.
 
 #include <chrono>
 #include <cmath>
@@ -163,8 +163,8 @@ TEST(RtStruct, ABallKeepsItsVolumeOnAlignedObliqueAndCoronalGrids) {
           const glm::dvec3 at = glm::dvec3(grid.worldFromIndex() * glm::dvec4(i, j, k, 1.0)) - centre;
           const bool inside = map->value({i, j, k}) == 1;
           voxels += inside;
-          // The stack of slabs differs from the ball by what a slab of half a millimetre to each side does: near the
-          // poles sqrt(2·20·0.5) = 4.5 mm in the plane, at most 0.5 mm along z.
+          // The stack of slabs differs from the ball by the half of a millimetre that a slab reaches to each side: near
+          // the poles sqrt(2·20·0.5) = 4.5 mm in the plane, at most 0.5 mm along z.
           const double r = std::hypot(at.x, at.y);
           const double nearest = std::hypot(r, std::max(0.0, std::abs(at.z) - 0.5)),
                        farthest = std::hypot(r, std::abs(at.z) + 0.5);

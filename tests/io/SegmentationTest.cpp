@@ -159,7 +159,7 @@ TEST(Segmentation, ComesToFlippedObliqueAndShearedGrids) {
   EXPECT_EQ(valuesOf(*same.labels), twoSegmentsTruth());
   EXPECT_TRUE(same.warnings.empty()) << same.warnings.front().text;
 
-  // The same lattice with x reversed and z first.
+  // This grid has the same lattice, with x reversed and z first.
   Grid flipped;
   flipped.dims = {3, 5, 3};
   flipped.spacing = {grid.spacing.z, 0.7, 0.5};

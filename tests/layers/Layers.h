@@ -30,7 +30,7 @@ LayerRule layerRule(std::string_view markdown);
 /// One edge for each pair of layers, sorted. Includes within a layer and those of other libraries are left out.
 std::vector<Edge> includeEdges(const std::vector<SourceFile>& sources);
 
-/// What a target of CMake consists of and links, as its CMakeLists.txt says.
+/// The sources and links of a CMake target, as its CMakeLists.txt says.
 struct Target {
   std::set<std::string> layers;  ///< the folders of its sources
   std::set<std::string> links;   ///< targets of the project, without "fenestra::"

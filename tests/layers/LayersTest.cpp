@@ -1,4 +1,4 @@
-// Every include and every link line follows the arrows in CONTRIBUTING.md, and none closes a cycle.
+// Every include and every link line follows the arrows in this folder's README.md, and none closes a cycle.
 
 #include <algorithm>
 #include <iostream>
@@ -13,6 +13,7 @@ namespace fenestra::tests {
 namespace {
 
 const std::vector<std::string_view> codeEndings{".h", ".cpp"};
+constexpr const char* rulePage = "tests/layers/README.md";
 
 std::string joined(const std::vector<std::string>& lines, const char* separator = "\n") {
   std::string text;
@@ -34,7 +35,7 @@ void print(const char* title, const std::vector<Edge>& edges, const std::vector<
 }
 
 TEST(Architecture, IncludesFollowTheRule) {
-  const LayerRule rule = layerRule(readSource("CONTRIBUTING.md"));
+  const LayerRule rule = layerRule(readSource(rulePage));
   const std::vector<Edge> edges = includeEdges(productSources(codeEndings));
   const std::vector<std::string> found = breaches(rule, edges);
   print("includes", edges, found);
@@ -44,7 +45,7 @@ TEST(Architecture, IncludesFollowTheRule) {
 }
 
 TEST(Architecture, LinkLinesFollowTheRule) {
-  const LayerRule rule = layerRule(readSource("CONTRIBUTING.md"));
+  const LayerRule rule = layerRule(readSource(rulePage));
   const auto targets = cmakeTargets(productSources({"CMakeLists.txt"}));
   const std::vector<Edge> edges = linkEdges(targets, rule);
   const std::vector<std::string> found = breaches(rule, edges);
@@ -68,7 +69,7 @@ TEST(Architecture, FileDialogsAreMadeInOneFile) {
 }
 
 TEST(Architecture, TheRuleHasNoCycleAndNoUnusedArrow) {
-  const LayerRule rule = layerRule(readSource("CONTRIBUTING.md"));
+  const LayerRule rule = layerRule(readSource(rulePage));
   EXPECT_EQ(joined(cycleIn(edgesOf(rule)), " → "), "");
   std::vector<Edge> edges = includeEdges(productSources(codeEndings));
   const std::vector<Edge> links = linkEdges(cmakeTargets(productSources({"CMakeLists.txt"})), rule);
@@ -114,7 +115,7 @@ std::vector<std::string> misdrawn(const LayerRule& rule, const std::map<std::str
 }
 
 TEST(Architecture, TheDrawingOfRoomsFollowsTheRule) {
-  const std::string text = readSource("CONTRIBUTING.md");
+  const std::string text = readSource(rulePage);
   EXPECT_EQ(joined(misdrawn(layerRule(text), drawnRooms(text))), "");
 }
 
@@ -125,7 +126,7 @@ TEST(ArchitectureCheck, ReportsRoomsThatAreDrawnWrongly) {
             "scene is not drawn; window → gl does not lead down; garden is drawn, and is no room");
 }
 
-// What follows feeds made-up projects to the checks: a check that reports nothing would prove nothing.
+// The following tests feed made-up projects to the checks: a check that reports nothing would prove nothing.
 
 TEST(ArchitectureCheck, ReadsTheRule) {
   const LayerRule rule = layerRule(madeUpRule);

@@ -7,7 +7,7 @@
 namespace fenestra::tests {
 namespace {
 
-/// What a brace opens.
+/// The scope that a brace opens.
 enum class Scope { Namespace, Type, Function, Other };
 
 /// Reads code (codeOf) brace by brace.
@@ -93,7 +93,7 @@ class Reader {
     return std::regex_search(declaration_, body) ? Scope::Function : Scope::Other;
   }
 
-  /// What stands before the parameter list.
+  /// The text before the parameter list.
   static std::string nameIn(const std::string& declaration) {
     std::string before = declaration.substr(0, declaration.find('('));
     before.erase(0, before.rfind(' ') + 1);

@@ -37,7 +37,7 @@ TEST(Sizes, FilesAreShort) {
   expectWithin(mostFileLines, std::move(lengths));
 }
 
-// What follows feeds made-up sources to the checks.
+// The following tests feed made-up sources to the checks.
 
 std::vector<std::pair<std::string, int>> functionsIn(const std::string& text) {
   std::vector<std::pair<std::string, int>> found;

@@ -24,7 +24,7 @@ class Completion : public ::testing::Test {
     return path;
   }
 
-  /// What of `output` matches the first group of `pattern`, line by line.
+  /// The first group of `pattern` in every line of `output` that matches.
   static std::set<std::string> matches(const std::string& output, const std::string& pattern) {
     std::set<std::string> found;
     const std::regex expression(pattern);
@@ -35,8 +35,8 @@ class Completion : public ::testing::Test {
     return found;
   }
 
-  /// What `complete` says of a program's command and the beginning of a word: every long option of --help, and no
-  /// other.
+  /// Expects that `complete`, given a program's command and the beginning of a word, offers every long option of --help
+  /// and no other.
   void expectAllOptions(const std::function<std::set<std::string>(const Program&, const std::string&)>& complete) {
     for (const Program& program : programs()) {
       ASSERT_FALSE(program.commands.empty());

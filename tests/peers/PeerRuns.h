@@ -1,6 +1,5 @@
 #pragma once
-// What every peer shares: its program's options, and the files in which it leaves what it measured; tests/bench/Peers.h
-// reads them.
+// Shared by the peers: their programs' options, and the files with their measurements; tests/bench/Peers.h reads them.
 
 #include <filesystem>
 #include <functional>

@@ -144,7 +144,7 @@ class Stage {
   Stage(const Stage&) = delete;
   Stage& operator=(const Stage&) = delete;
 
-  /// Of all that follows.
+  /// Sets the step length of all pictures that follow.
   void setStep(double samplesPerVoxel) {
     peer_.setStep(*mapper_, bench::stepLength(scene_.volume->grid, samplesPerVoxel));
   }

@@ -21,7 +21,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// What is left out of a picture.
+/// Parts that are left out of a picture.
 struct Setting {
   const char* name;
   double leastVoxelOpacity;   ///< voxels at most as opaque are skipped
@@ -127,8 +127,8 @@ class Stage {
     }
   }
 
-  /// mm along a ray from one slice to the next, of the slices that VolPack composes: those across the axis along which
-  /// a ray passes most voxels.
+  /// mm along a ray from one slice that VolPack composes to the next: these slices lie across the axis along which a
+  /// ray passes most voxels.
   double betweenSlices(const Camera& camera) const {
     const Grid& grid = scene_.volume->grid;
     const glm::dvec3 perMm = glm::abs(glm::transpose(grid.direction) * camera.axes().forward) / grid.spacing;

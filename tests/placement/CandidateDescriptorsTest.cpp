@@ -1,4 +1,4 @@
-// View descriptors of what the GPU measures, against closed forms and against placement's own measures.
+// View descriptors from measurements on the GPU, against closed forms and against placement's own measures.
 
 #include <cmath>
 #include <cstring>
@@ -9,7 +9,7 @@
 namespace fenestra::placement {
 namespace {
 
-/// Square pixels inside outlines: the sum of the signed areas of polygons, of which holes run the other way round.
+/// Square pixels inside outlines: the sum of the signed areas of polygons, where holes run the other way round.
 double areaWithin(const std::vector<std::vector<glm::dvec2>>& outlines) {
   double area = 0.0;
   for (const std::vector<glm::dvec2>& outline : outlines)
@@ -63,7 +63,7 @@ TEST_F(DescriptorsTest, AnImageIsTheOneThatPlacementMeasures) {
     for (const Candidate& candidate : before) {
       const FocusImage image = images.image(gpu(), candidate.direction, side, kept);
       const auto outlines = outlinesOf(image);
-      // The same polygons, summed in single precision there.
+      // The candidate sums the same polygons in single precision.
       EXPECT_NEAR(areaWithin(outlines), candidate.sums.count, 1e-5 * candidate.sums.count);
       double depth = 0.0, pixels = 0.0;
       for (const float each : image.depth)
@@ -111,8 +111,8 @@ TEST_F(DescriptorsTest, ABallInClosedForm) {
     // Trilinear interpolation moves the surface inwards by up to (1/8)(2/r) voxels; chords, see ABallInClosedForm.
     EXPECT_NEAR(lengths[v], 2.0 * pi * r / diameter, 2.0 * pi * 0.03 / diameter);
     EXPECT_NEAR(turnings[v], 2.0 * pi, 0.05);
-    // As of evenly spread points with exact normals (ViewDescriptorsTest). Points of a surface are spread less evenly
-    // than a lattice, and normals err by up to two degrees.
+    // The limits are those of evenly spread points with exact normals (ViewDescriptorsTest). Points of a surface are
+    // spread less evenly than a lattice, and normals err by up to two degrees.
     const double points = static_cast<double>(measured().surfacePoints);
     EXPECT_NEAR(entropies[v], std::log2(0.5 * points) - 1.0 + 0.5 / std::log(2.0), 0.05);
     EXPECT_NEAR(stabilities[v], stabilities[0], 0.1);

@@ -81,7 +81,7 @@ TEST(LiveSync, ARodIsSeenAcrossAndABallFromEverywhere) {
 }
 
 TEST(LiveSync, ShapesFollowThePatientNotTheLattice) {
-  // The same plate in the patient, stored with turned and flipped axes of other spacings.
+  // The plate has its place in the patient, but is stored with turned and flipped axes of other spacings.
   Grid grid = gridOf({61, 31, 41}, {0.5, 1.0, 0.75}, {-10.0, 20.0, 30.0});
   grid.direction = glm::dmat3(glm::dvec3(0, 0, -1), glm::dvec3(-1, 0, 0), glm::dvec3(0, -1, 0));
   const glm::dvec3 pick(grid.worldFromIndex() * glm::dvec4(30, 15, 20, 1));
@@ -135,7 +135,7 @@ TEST(LiveSync, WhatIsNearThePickCountsMore) {
     if (x < 8) near += weight;
   }
   const std::vector<glm::dvec3> directions{anterior};
-  // Of 96 even samples of the weights, one may lie on either side of the border.
+  // The score is the mean of 96 even samples of the weights; the one at the border may lie on either side of it.
   EXPECT_NEAR(visibilityScores(scene, bar, localShape(bar, glm::dvec3(20.0), 15.0), directions)[0], near / all,
               1.0 / 96.0);
 }

@@ -194,7 +194,7 @@ TEST(Placement, JointSearchFindsWhatTryingEveryPairFinds) {
         return shareWeight * seenShare(a, b, points) +
                (1.0 - shareWeight) * 0.5 * (a.descriptors.location + b.descriptors.location);
       };
-      // The definition: of the pairs within 0.01 of the greatest value, the one that looks through least.
+      // The definition: among the pairs within 0.01 of the greatest value, the one that looks through least.
       const auto farness = [](const Candidate& candidate) {
         return candidate.descriptors.visibility - 0.1 * candidate.descriptors.orientation;
       };
@@ -239,7 +239,7 @@ TEST(Placement, TheNearerSideIsC1AndFarPairsGiveWayToEquallyGoodNearOnes) {
     const Pair pair = jointSearch(candidates, points, options).value();
     EXPECT_GT(glm::dot(candidates[pair.c1].direction, left), 0.9);
     EXPECT_GE(glm::dot(candidates[pair.c2].direction, left), -1e-9);
-    // What is clearly better seen from the right is looked at from there.
+    // A focus that is clearly better seen from the right is looked at from there.
     for (Candidate& candidate : candidates)
       if (glm::dot(candidate.direction, left) > 0.0) candidate.seen.assign(candidate.seen.size(), 0);
     const Pair far = jointSearch(candidates, points, options).value();

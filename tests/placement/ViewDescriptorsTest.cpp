@@ -124,7 +124,7 @@ TEST(ViewDescriptors, ViewsThatShareNothingTellAllApart) {
   const ViewChannel channel({{1.0, 1.0, 0.0, 0.0}, {0.0, 0.0, 3.0, 3.0}, {0.0, 0.0, 0.0, 0.0}});
   EXPECT_NEAR(channel.entropy(0), 1.0, rounding);
   EXPECT_NEAR(channel.viewShare(1), 0.75, rounding);
-  // p(z) of what a view sees is p(v) p(z|v).
+  // For the elements that a view sees, p(z) is p(v) p(z|v).
   EXPECT_NEAR(channel.mutualInformation(0), 2.0, rounding);
   EXPECT_NEAR(channel.mutualInformation(1), std::log2(4.0 / 3.0), rounding);
   // The Jensen–Shannon divergence of disjoint distributions is the entropy of their weights.
@@ -156,7 +156,7 @@ TEST(ViewDescriptors, BothInformationsAddUpToTheChannels) {
 }
 
 TEST(ViewDescriptors, DivergenceIsInformationLostByMixingTwoViews) {
-  // Feixas et al., equation for D(v, w): what clustering the two views takes from I(V;Z), over p(v) + p(w).
+  // Feixas et al., equation for D(v, w): the loss of I(V;Z) when the two views are clustered, over p(v) + p(w).
   const std::vector<std::vector<double>> areas = randomAreas(2, 20);
   const ViewChannel channel(areas);
   const double all =
@@ -252,8 +252,8 @@ TEST(ViewDescriptors, CurvatureOfSpheresCylindersAndSaddles) {
 }
 
 TEST(ViewDescriptors, CurvatureEntropyOfABallAndASaddle) {
-  // Half of the points are of a ball, half of a plate far away: from the side where both show, in the ratio of what is
-  // seen of them.
+  // Half of the points lie on a ball, half on a plate far away; from the side both show, in the ratio of their visible
+  // points.
   SurfacePoints surface = ball(10.0, 4);
   const std::size_t ofBall = surface.normals.size();
   for (int y = 0; y < 16; ++y)
@@ -381,8 +381,8 @@ TEST(FocusImage, DepthsOfABallAndOfAPlate) {
   EXPECT_EQ(depthEntropy(plate, 3.0, 3.0), 0.0);
   EXPECT_EQ(depthEntropy(plate, -10.0, 2.0), 0.0);  // beyond the last bin
   EXPECT_TRUE(std::isnan(depthEntropy(disc(0.0, {39.5, 39.5}, 80, flat), -10.0, 10.0)));
-  // Of a ball, the area at depths of the near half is proportional to the height above its middle: bin k of 16 there
-  // has (2k + 1)/256.
+  // The area of a ball's near half per unit of depth is proportional to the height above the ball's middle: bin k of
+  // the 16 there has (2k + 1)/256.
   const double radius = 300.0;
   std::vector<double> shares;
   for (int k = 0; k < 16; ++k) shares.push_back((2.0 * k + 1.0) / 256.0);

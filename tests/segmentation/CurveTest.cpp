@@ -68,9 +68,9 @@ TEST(Curve, BeginsBehindASpeckWhereAStructureFollows) {
   ASSERT_GE(structure.plateaus.size(), 2u);
   EXPECT_NEAR(structure.plateaus.front().volume, 125.0 * 0.343, 1e-9) << "the grain is a plateau";
   EXPECT_NEAR(volumeAt(structure), 3375.0 * 0.343, 1e-9) << "and the block is begun with";
-  // Large enough to be what was meant.
+  // A grain this large counts as the structure that was meant.
   EXPECT_NEAR(volumeAt(curve(1.7, 7)), 125.0 * 4.913, 1e-9);
-  // What follows fills more than half of all.
+  // The next plateau fills more than half of the volume.
   EXPECT_NEAR(volumeAt(curve(0.7, 18)), 125.0 * 0.343, 1e-9);
 }
 

@@ -1,5 +1,5 @@
-// What the strokes of a ball brush select: balls and lines by their geometry, soft rims by their values, and strokes
-// over a region that grows.
+// The voxels that strokes of a ball brush select: balls and lines by their geometry, soft rims by their values, and
+// strokes over a region that grows.
 
 #include "rendering/segmentation/Painting.h"
 
@@ -170,7 +170,7 @@ TEST(Painting, ARegionMayBePaintedAloneOrOverWhatGrows) {
   for (const std::size_t voxel : voxelsOf(bite, *volume, 1.0)) expected.voxels[voxel] = 0;
   const Mask found = segmentation::maskAt(*over, over->stepOf(both));
   EXPECT_EQ(found.voxels, expected.voxels);
-  // Stroke by stroke it is the same.
+  // Painting stroke by stroke gives the same region.
   RegionFocus first = seeded;
   first.painted = {ball};
   const auto begun = paintedOn(*grown, seeded, first, *volume);

@@ -75,7 +75,7 @@ TEST(PickedStructure, ThereIsNoneInAirOrOutside) {
     EXPECT_FALSE(pickedStructure(scene, pick).labels);
     EXPECT_NE(pickedStructure(scene, pick).problem.find("outside"), std::string::npos);
   }
-  // In Hounsfield units lung is none of air.
+  // In Hounsfield units lung is not air.
   auto lung = tests::volumeOf<std::int16_t>(gridOf(glm::ivec3(40)), [](glm::ivec3 index) {
     return glm::length(glm::dvec3(index) - 20.0) < 8.0 ? -850 : index.x > 35 ? 400 : -1000;
   });

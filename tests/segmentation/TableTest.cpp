@@ -1,4 +1,4 @@
-// What is hidden around the patient: a made body on a made table, and real CTs.
+// Voxels hidden around the patient: a made body on a made table, and real CTs.
 
 #include <algorithm>
 #include <cmath>
@@ -21,7 +21,7 @@ using namespace tests;
 
 constexpr double air = -1000.0;
 
-/// What a voxel of the made scan belongs to.
+/// The part of the made scan that a voxel belongs to.
 enum class Part { Air, Trunk, Arm, Ear, Lung, Vessel, Table, Cushion, Wire };
 
 /// A trunk with a lung and a vessel in it, an arm beside it, a thin ear on it; a curved table, a cushion on it, and a
@@ -82,7 +82,7 @@ std::vector<Grid> grids() {
           gridOf({320, 240, 60}, {1.0, 1.0, 1.0})};
 }
 
-/// What 3-D pictures show of a volume without its table.
+/// The volume that 3-D pictures show without its table.
 ShownVolume withoutTable(const std::shared_ptr<const Volume>& volume) {
   Scene scene{volume, nullptr, {}};
   scene.table = tableOf(*volume);

@@ -22,7 +22,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Reads, and writes what was read. Any other exception than io::Error ends the test.
+/// Reads a file and writes the result. Any other exception than io::Error ends the test.
 void readSomehow(const fs::path& file) {
   try {
     const io::Session session = io::readSession(file);
@@ -133,7 +133,8 @@ TEST_F(HostileSession, PathsThatAreNotRelativeAreRefused) {
   EXPECT_NE(errorFrom(withPath("")).find("either a volume or a phantom"), std::string::npos);
 }
 
-/// A session may point anywhere with "..": what is there is no more than looked at unless it is what the session names.
+/// A session may point anywhere with "..": a file there is looked at, but not opened unless it is the one that the
+/// session names.
 TEST_F(HostileSession, WhatLiesOutsideIsNotOpenedUnlessItsContentsAreNamed) {
   const fs::path inside = folder_ / "sent";
   fs::create_directory(inside);
@@ -168,14 +169,14 @@ TEST_F(HostileSession, WhatLiesOutsideIsNotOpenedUnlessItsContentsAreNamed) {
 TEST_F(HostileSession, SizeIsBoundedBeforeReading) {
   const long before = peakMegabytes();
   const auto start = std::chrono::steady_clock::now();
-  // A text of 1 GB: the file's size tells.
+  // A text of 1 GB is refused by the file's size.
   {
     std::ofstream(file_, std::ios::binary) << R"({"format": "fenestra-session", "version": 2, "maximised": ")";
     fs::resize_file(file_, std::uintmax_t{1} << 30);
   }
   EXPECT_NE(errorOf([&] { io::readSession(file_); }).find("larger than 128 MB"), std::string::npos);
   EXPECT_NE(errorOf([&] { io::readStrokes(file_); }).find("larger than 128 MB"), std::string::npos);
-  // What 60 MB can hold the most of: one byte a value, one member in five.
+  // The elements that 60 MB holds most of: one byte a value, one member in five.
   std::string zeros;
   zeros.reserve(60 << 20);
   while (zeros.size() < (60u << 20)) zeros += "0,";

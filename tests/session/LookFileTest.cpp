@@ -1,5 +1,5 @@
-// Presets of a look in files of their own: they come back to the bit on any volume, and what is no such file is one
-// clear error.
+// Presets of a look in files of their own: they come back to the bit on any volume, and any other file is one clear
+// error.
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>

@@ -1,5 +1,5 @@
-// A session's data: found where they are, where they moved to, or not; changed data is said; and nothing of the patient
-// is in the file.
+// A session's data: found in their place, where they moved to, or not; changed data gives a warning; and the file holds
+// nothing of the patient.
 
 #include <chrono>
 
@@ -66,7 +66,7 @@ class OpenSession : public testing::Test {
     }
   }
 
-  /// A session for what is in the project's folder.
+  /// A session for the files in the project's folder.
   fs::path save(const fs::path& file, const fs::path& volume, const fs::path& labels = {}) {
     const io::OpenedVolume opened = io::openVolume(volume);
     io::Session session;
@@ -186,11 +186,11 @@ TEST_F(OpenSession, SearchesBesideAndBelowByName) {
   fs::create_directories(project_ / "data" / "2026");
   fs::rename(project_ / "study", project_ / "data" / "2026" / "study");
   fs::rename(project_ / "labels.nii.gz", project_ / "data" / "labels.nii.gz");
-  // Something else takes the name.
+  // A study of other voxels lies where the first one was.
   writeStudy(project_ / "study", 7);
   const io::Study opened = openSession(file);
   EXPECT_EQ(opened.session.volume.path, project_ / "study")
-      << "what is at its place is taken, and that it changed is said";
+      << "the study at the stored place is taken, with a warning that it changed";
   EXPECT_TRUE(hasWarning(opened.warnings, Kind::ChangedData));
   EXPECT_TRUE(hasWarning(opened.warnings, Kind::MovedData));
   EXPECT_EQ(opened.session.labels.path, project_ / "data" / "labels.nii.gz");
@@ -305,7 +305,7 @@ TEST_F(OpenSession, ContentsAreThoseOfSha256sum) {
       << "names and their order do not count";
 }
 
-/// What a patient is called, known by and was born: nowhere in a session, nor anything that leads there.
+/// A session holds no patient's name, identifier or date of birth, nor anything that leads to them.
 TEST_F(OpenSession, HoldsNothingOfThePatient) {
   const fs::path folder = project_ / "scan";
   fs::create_directories(folder);

@@ -11,7 +11,8 @@
 
 namespace fenestra::tests {
 
-/// What python3-jsonschema has against files, by a schema; members that it does not name are mistakes.
+/// The mistakes that python3-jsonschema finds in files by a schema; members that the schema does not name are mistakes,
+/// too.
 inline std::vector<std::string> mistakesIn(const std::filesystem::path& schema,
                                            const std::vector<std::filesystem::path>& files) {
   std::string command = "python3 '" FENESTRA_VALIDATE "' '" + schema.string() + "'";

@@ -270,14 +270,15 @@ TEST(SessionFile, KeepsPathsRelative) {
   io::writeSession(deep, session);
   EXPECT_EQ(pathOf(deep), "../../patient's  é");
   EXPECT_EQ(io::readSession(deep).volume.path, folder / "patient's  é");
-  EXPECT_EQ(readFile(deep).find(folder.string()), std::string::npos) << "the folders above are nobody's business";
+  EXPECT_EQ(readFile(deep).find(folder.string()), std::string::npos)
+      << "a session must not name the folders above its own";
 
   session.volume.path = folder / "sessions" / "mine";
   io::writeSession(deep, session);
   EXPECT_EQ(pathOf(deep), ".");
   EXPECT_EQ(io::readSession(deep).volume.path, folder / "sessions" / "mine");
 
-  // By a link, ".." is what the system takes it for.
+  // Behind a link, ".." is resolved as the system does.
   fs::create_directory_symlink(folder / "sessions" / "mine", folder / "link");
   session.volume.path = folder / "patient's  é";
   io::writeSession(folder / "link" / "b.fenestra", session);
@@ -298,7 +299,7 @@ TEST(SessionFile, IsWholeWheneverSavingIsKilled) {
   io::writeSession(file, a);
   std::mt19937 random(1);
   int halfWritten = 0, sawA = 0, sawB = 0;
-  // On a busy machine fewer of the moments fall into a save: more of them are tried then.
+  // On a busy machine fewer of the moments fall into a save, so more of them are tried.
   constexpr int kills = 200, mostKills = 10 * kills;
   const auto sawEnough = [&] { return halfWritten > kills / 10 && sawA > 0 && sawB > 0; };
   for (int kill = 0; kill < kills || (!sawEnough() && kill < mostKills); ++kill) {
@@ -307,7 +308,7 @@ TEST(SessionFile, IsWholeWheneverSavingIsKilled) {
     const pid_t child = ::fork();
     ASSERT_GE(child, 0);
     if (child == 0) {
-      // What writeSession does once the text is made; before that, the file is not touched.
+      // The second half of writeSession, once the text is made; before that, the file is not touched.
       io::writeText(file, textOfB);
       if (::write(ready[1], "", 1) != 1) ::_exit(1);
       for (;;) {
@@ -334,7 +335,7 @@ TEST(SessionFile, IsWholeWheneverSavingIsKilled) {
         fs::remove(entry.path());
       }
   }
-  // Otherwise the moments were none in which saving could have been hurt.
+  // Otherwise no process was stopped at a moment in which a save could have been damaged.
   EXPECT_GT(halfWritten, kills / 10);
   EXPECT_GT(sawA, 0);
   EXPECT_GT(sawB, 0);

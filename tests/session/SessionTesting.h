@@ -1,5 +1,5 @@
 #pragma once
-// A session in which nothing has its default, for tests of what comes back.
+// A session in which no member has its default, for tests that all of them come back.
 
 #include "io/session/Session.h"
 

@@ -1,4 +1,4 @@
-// Strokes in a file of their own: they come back to the bit, and what is no such file is one clear error.
+// Strokes in a file of their own: they come back to the bit, and any other file is one clear error.
 
 #include <cmath>
 #include <limits>

@@ -1,6 +1,6 @@
 #pragma once
-// One scene in every kind of use, from a plain volume to all that there is: what a feature costs, and that it costs
-// nothing while it is off.
+// One scene in every kind of use, from a plain volume to all features at once, to measure what a feature costs, and
+// that it costs nothing while it is off.
 
 #include <string>
 #include <vector>
@@ -14,7 +14,8 @@ struct FeatureScene {
   Scene scene;
 };
 
-/// `base` has a focus of two labels or more, of different colours; `values` is one for the kinds that have it by value.
+/// `base` has a focus of two labels or more, of different colours; `values` is the focus of the kinds that have one by
+/// value.
 inline std::vector<FeatureScene> featureScenes(const Scene& base, const ValueFocus& values) {
   const auto firstLabels = [&](std::ptrdiff_t count) {
     const std::vector<std::uint16_t>& all = std::get<LabelFocus>(base.look.focus).labels;

@@ -70,7 +70,8 @@ TEST(Bricks, OctantsHoldTheValuesAtTheirCellsAndLittleMore) {
     EXPECT_GE(kept.high, expected[i]->high) << i;
     EXPECT_GE(kept.low, expected[i]->low - 1.001 * step) << i;
     EXPECT_LE(kept.high, expected[i]->high + 1.001 * step) << i;
-    // What begins to show right above air must not show in air.
+    // An octant of air keeps exactly the value of air, so that a function that begins right above it shows nothing
+    // there.
     air += expected[i]->high == -1000.0 && kept.high == -1000.0 && brick.high > -1000.0;
   }
   EXPECT_GT(air, 0);

@@ -38,7 +38,7 @@ TEST(Camera, aimedHasAPointInTheMiddle) {
       EXPECT_EQ(aimed->eye, camera.eye);
     } else {
       expectNear(a.forward, camera.axes().forward, rounding);
-      // In the same plane: positions along rays stay the same.
+      // The point stays in its plane, so that positions along rays do not change.
       EXPECT_NEAR(depth, glm::dot(point - camera.eye, camera.axes().forward), 1e-12 * 100.0);
     }
     EXPECT_FALSE(camera.aimedAt(camera.eye - (point - camera.eye)));

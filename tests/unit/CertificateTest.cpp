@@ -1,4 +1,4 @@
-// What a sample of pixels proves about a picture.
+// The statements that a sample of pixels proves about a picture.
 
 #include <gtest/gtest.h>
 
@@ -11,7 +11,7 @@ namespace {
 
 using namespace tests;
 
-/// P(at most `exceeding` of `pixels` exceed) where a share of 1 - `share` of all does.
+/// Probability that at most `exceeding` of `pixels` exceed the bound where a share of 1 - `share` of all pixels does.
 double probability(int pixels, int exceeding, double share) {
   double sum = 0.0;
   for (int k = 0; k <= exceeding; ++k)

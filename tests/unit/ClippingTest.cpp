@@ -1,4 +1,4 @@
-// What half-spaces a crop box and planes are in volumes of any orientation.
+// The half-spaces of a crop box and of planes in volumes of any orientation.
 
 #include <gtest/gtest.h>
 

@@ -11,7 +11,7 @@
 namespace fenestra {
 namespace {
 
-/// mm to the nearest of a set, by asking each point.
+/// mm to the nearest point of a set, by a search of all points.
 double nearest(const std::vector<std::uint8_t>& set, const Grid& grid, glm::ivec3 from) {
   const glm::dmat3 worldFromIndex(grid.worldFromIndex());
   double least = std::numeric_limits<double>::infinity();

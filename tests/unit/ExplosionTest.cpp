@@ -84,7 +84,7 @@ TEST(Explosion, PartsStayOnTheirSidesAndMoveOutMostly) {
   EXPECT_LT(held, all / 10);
 }
 
-/// Random points of any two parts: what separates them is a plane of the cut, so no translation brings them together.
+/// Random points of any two parts: a plane of the cut separates them, so no translation brings them together.
 TEST(Explosion, PartsAreDisjointAndInTheOrderOfEveryRay) {
   std::mt19937 random(5);
   forEachView([&](const MethodStages::Explosion& explosion, const Grid& grid, glm::dvec3 middle, const Camera& camera) {
@@ -132,7 +132,7 @@ TEST(Explosion, ASymmetricSceneHasASymmetricLayout) {
         for (int k = 0; k < std::min(planes, 2); ++k) {
           glm::dvec3 mirrored = view.translation(i);
           mirrored[k] = -mirrored[k];
-          // What the iteration leaves, and rounding of the samples' means.
+          // The distance from rest at which the iteration stops, and rounding of the samples' means.
           EXPECT_LT(glm::distance(view.translation(i ^ (std::size_t{1} << k)), mirrored), 1e-6) << planes << ", " << i;
         }
     }

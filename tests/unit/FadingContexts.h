@@ -1,5 +1,5 @@
 #pragma once
-// What the references of contexts that fade have in common: the gradient they fade by, the focus they leave, and the
+// Shared tests of the references of contexts that fade: the gradient they fade by, the focus they leave, and the
 // tolerance they keep.
 
 #include <algorithm>
@@ -25,7 +25,7 @@ inline glm::dvec3 gradientAt(const Volume& volume, glm::dvec3 at) {
   return gradient;
 }
 
-/// Of a scene whose whole context fades: its picture is that of its focus alone, which is `opacity` opaque somewhere.
+/// Expects that a scene whose whole context fades shows its focus alone, more opaque than `opacity` somewhere.
 inline void expectTheFocusAlone(const Scene& scene, const Camera& camera, glm::ivec2 size, double opacity) {
   const Picture here = picture(scene, camera, size);
   Scene alone = scene;

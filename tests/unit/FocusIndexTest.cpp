@@ -20,7 +20,7 @@ FocusIndex indexOf(const Scene& scene) { return buildFocusIndex(scene, brickRang
 const std::vector<glm::ivec3> awkwardSizes{{1, 1, 1}, {1, 7, 5}, {6, 1, 9}, {3, 3, 3},
                                            {4, 4, 4}, {5, 4, 3}, {13, 8, 7}};
 
-/// What the index says of a cell in the cell frame: the bits of its corners (labels), 255 or 0 (values).
+/// The index's entry for a cell in the cell frame: the bits of its corners (labels), 255 or 0 (values).
 unsigned bitsAt(const FocusIndex& index, glm::ivec3 cell) {
   const std::uint32_t slot = index.slots.at(brickOffset(index.bricks, cell / brickSide));
   if (slot < 2) return slot * 255;
@@ -186,7 +186,7 @@ TEST(FocusIndex, FollowsLabelsThatJoinAndLeaveAsIfMadeFromScratch) {
         EXPECT_EQ(index.cells.size(), scratch.cells.size());
         EXPECT_EQ(index.occupied(), scratch.occupied());
 
-        // What it says has changed, and nothing else.
+        // Exactly the reported parts have changed.
         std::set<std::size_t> cells, flipped, layers;
         std::size_t at = 0;
         forEachVoxel(dims + 1, [&](glm::ivec3 cell) {

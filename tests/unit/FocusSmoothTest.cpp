@@ -69,7 +69,7 @@ TEST(FocusSmooth, IsAGaussianOfTheFocus) {
 }
 
 TEST(FocusSmooth, OtherTilesThanThoseNearChangedBricksStay) {
-  // Sizes at which what lies beyond the volume fills tiles of its own, and such at which it does not.
+  // Sizes at which the space beyond the volume fills tiles of its own, and sizes at which it does not.
   std::mt19937 random(8);
   for (const glm::ivec3 dims : {glm::ivec3(45, 37, 29), glm::ivec3(32, 28, 27), glm::ivec3(16, 1, 33)})
     for (int run = 0; run < 12; ++run) {

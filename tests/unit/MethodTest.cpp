@@ -1,4 +1,4 @@
-// What the methods put in the place of the adaptive cutaway's stages, and the pattern of the screen door.
+// The stages with which the methods replace the adaptive cutaway's, and the pattern of the screen door.
 
 #include "rendering/scene/Method.h"
 

@@ -101,7 +101,8 @@ TEST(AmbientOcclusion, OfAHalfSpaceIsTheClosedForm) {
   const double all = near.upTo(near.fadeTo);
   for (const int z : {44, 36, 33, 30, 29, 27, 22}) {
     const double height = z + 0.5 - surface;
-    // Of a direction with cosine μ to the plane, W(|height| / μ) lies on this side of the plane.
+    // A ray whose direction has cosine u to the plane's normal reaches the plane after |height| / u; the weight up to
+    // there lies on this side of it.
     const auto passed = [&](double u) { return near.upTo(std::min(std::abs(height) / u, near.fadeTo)); };
     const double away = meanOf([&](double u) { return height > 0.0 ? 1.0 : std::exp(-extinction * passed(u)); });
     const double into =
@@ -109,15 +110,15 @@ TEST(AmbientOcclusion, OfAHalfSpaceIsTheClosedForm) {
     const double out = height > 0.0 ? 1.0 : away;
     const double truth = 0.5 * (out + into);
     EXPECT_NEAR(medium.meanTransmittance({30, 30, z}, many, near), truth, 1e-3) << z;
-    // What few directions cost: the last figure of the definition's means.
+    // The error of few directions: the last figure of the definition's means.
     const auto few = occlusion::allAround(occlusion::Directions{}.around);
     EXPECT_NEAR(medium.meanTransmittance({30, 30, z}, few, near), truth, 0.02) << z;
   }
 }
 
-/// What the definition leaves of the continuous integrals: a half space whose surface lies inside a cell, which the
-/// cells' means blur, and a bumpy body with a pit, of whose surface few directions see what many do. The limits are
-/// what was found, rounded up.
+/// The definition's difference from the continuous integrals, for a half space whose surface lies inside a cell, which
+/// the cells' means blur, and for few directions instead of many on the surface of a bumpy body with a pit. The limits
+/// are the measured values, rounded up.
 TEST(AmbientOcclusion, DiffersLittleFromTheContinuousIntegral) {
   for (const auto& [extinction, limit] : {std::pair(0.2, 0.02), std::pair(2.0, 0.09)}) {
     double worst = 0.0;
@@ -172,7 +173,7 @@ TEST(AmbientOcclusion, DiffersLittleFromTheContinuousIntegral) {
 }
 
 /// A ball of radius 16 mm and 0.034/mm over an opaque plane: light from all around and from straight above, against the
-/// sum over directions of what the ball's chords let through.
+/// sum over directions of the transmittance along the ball's chords.
 TEST(AmbientOcclusion, UnderABallOverAPlaneIsTheClosedForm) {
   constexpr double extinction = 0.034, radius = 16.0;
   constexpr int surface = 10;
@@ -320,7 +321,7 @@ TEST(OccluderCells, AreNeverMoreThanTheirLimitAlongAnAxis) {
   EXPECT_EQ(occluderSide(gridOf({64, 30, 20})), glm::ivec3(1)) << "not coarser than needed";
 }
 
-/// What an opening or a plane removes casts nothing; what is protected or exempt does.
+/// Removed parts cast no shadow; protected and exempt labels do.
 TEST(OccludingMedium, IsTheVolumeAsItIsCutOpen) {
   Scene scene = body();
   scene.look.focus = LabelFocus{{1}};

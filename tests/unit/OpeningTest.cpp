@@ -1,4 +1,4 @@
-// What an opening removes on a slice, against its closed form for a picture of known depths.
+// The pixels of a slice that an opening removes, against the closed form for a picture of known depths.
 
 #include <cmath>
 #include <limits>

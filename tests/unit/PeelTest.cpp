@@ -70,7 +70,7 @@ TEST(Peel, EachSideAndTurnHasADirectionOfThePatient) {
   }
 }
 
-/// shownAt() rolls up, sourceOf() unrolls: each is the other's inverse, of all of the layer.
+/// shownAt() rolls up, sourceOf() unrolls: each is the other's inverse in all of the layer.
 TEST(Peel, TheInverseIsExact) {
   std::mt19937 random(7);
   const auto between = [&](double low, double high) {
@@ -117,7 +117,7 @@ TEST(Peel, KeepsTheLayersThickness) {
   }
 }
 
-/// At amount 1 no point of the layer lies before the focus's extent; and the least amount changes next to nothing.
+/// At amount 1 no point of the layer lies before the focus's extent; and the least amount changes hardly anything.
 TEST(Peel, OpensTheFocusesExtent) {
   for (const double margin : {0.0, 10.0, 80.0}) {
     const Peel peel = layerOf(block({.amount = 1.0, .depth = 0.2, .radius = 3.0, .margin = margin}));
@@ -133,7 +133,7 @@ TEST(Peel, OpensTheFocusesExtent) {
   }
 }
 
-/// What a peeled volume's gradient is to converge to: (I + ∂D/∂x)ᵀ ∇f, here of a linear f.
+/// The limit of a peeled volume's gradient: (I + ∂D/∂x)ᵀ ∇f, here of a linear f.
 TEST(PeeledScene, GradientsFollowTheJacobian) {
   const glm::dvec3 slope(3.0, -5.0, 4.0);
   Scene scene = block({.amount = 0.9, .depth = 0.0, .radius = 12.0, .margin = 6.0});
@@ -170,8 +170,8 @@ TEST(PeeledScene, GradientsFollowTheJacobian) {
     ++compared;
   });
   EXPECT_GT(compared, 500);
-  // Trilinear values of a linear f are exact, so that what is left is the central difference's own error: a sixth of
-  // the third derivative, which of an angle at the distance ρ from the roll's axis is 2/ρ² of the first, ρ ≥ 16 - 1.
+  // Trilinear values of a linear f are exact, so that the only error is the central difference's own: a sixth of the
+  // third derivative, which is 2/ρ² of the first for an angle at the distance ρ from the roll's axis, ρ ≥ 16 - 1.
   EXPECT_LT(worst, 2.0 / (6.0 * 15.0 * 15.0));
 }
 
@@ -246,7 +246,7 @@ TEST(Peeler, KeepsWhatHasNotChangedAndForgetsWhatIsNotUsed) {
   EXPECT_FALSE(peeler.knows(scene));
 }
 
-/// A layer that there is nothing of: the focus is the front of the body.
+/// The layer is empty: the focus is the front of the body.
 TEST(Peeler, LeavesAVolumeWithoutALayerAsItIs) {
   Scene scene = block({.amount = 1.0, .depth = 0.0, .radius = 5.0, .margin = 6.0});
   scene.labels = labelsOf(scene.volume->grid, [](glm::ivec3 i) { return i.y < 6; });
@@ -255,8 +255,8 @@ TEST(Peeler, LeavesAVolumeWithoutALayerAsItIs) {
   EXPECT_TRUE(peeler.knows(scene));
 }
 
-/// Halves of a block that are rolled up by little look blurred as far as trilinear values between voxels are: of white
-/// noise no less than (2/3)^½ of its deviation stays along each axis that moves off the voxels, on average over places.
+/// Halves of a block that are rolled up by little look blurred as far as trilinear values between voxels are: at least
+/// (2/3)^½ of the deviation of white noise stays along each axis that moves off the voxels, on average over places.
 TEST(PeeledScene, BlursOnlyWhatIsMoved) {
   Scene scene = block({.amount = 0.5, .depth = 0.0, .radius = 12.0, .margin = 6.0});
   std::mt19937 random(3);

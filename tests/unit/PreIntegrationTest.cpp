@@ -1,4 +1,4 @@
-// The pre-integrated table against Simpson's rule over segments, and what of it has to be exact.
+// The pre-integrated table against Simpson's rule over segments, and its entries that must be exact.
 
 #include "rendering/gpu/PreIntegration.h"
 

@@ -126,7 +126,7 @@ TEST(ReferenceClipping, HardCases) {
 }
 
 TEST(ReferenceClipping, ACappedFaceHasItsOwnLight) {
-  // Homogeneous tissue has no gradient: what differs from light on an average surface is the face's.
+  // Homogeneous tissue has no gradient: only the face makes the light differ from that of an average surface.
   Scene scene = slab(50.0);
   scene.look.shading = {.specular = 0.0};
   const Camera camera = parallelTo(scene.volume->grid);

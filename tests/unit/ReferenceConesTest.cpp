@@ -72,7 +72,7 @@ TEST(ReferenceCones, APointInPerspectiveHasAConeAboutItsRay) {
 }
 
 TEST(ReferenceCones, ADiscHasAConeAroundItsRim) {
-  // Of equal depths the nearest one is the last to be left.
+  // All points of the focus have one depth, so the cone of the nearest one is the last that a ray leaves.
   const auto disc = [](int i, int j) { return std::hypot(i - 22, j - 17) < 6.5 ? 50.0 : nan; };
   for (const Camera& camera : {parallel(37.0), pinhole()}) {
     const bool perspective = camera.projection == Projection::Perspective;

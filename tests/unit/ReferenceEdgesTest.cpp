@@ -17,7 +17,7 @@ using namespace fenestra::tests;
 constexpr glm::ivec2 size{44, 38};
 constexpr double side = 8.0;  // mm, of the box
 
-/// A box of one opacity, of which parallel rays see a square that stands askew.
+/// A box of one opacity, which parallel rays see as a square that stands askew.
 Scene boxOf(double opacity) {
   Scene scene;
   scene.volume = volumeOf(gridOf(glm::ivec3(static_cast<int>(side))), [](glm::ivec3) { return 1.0; });

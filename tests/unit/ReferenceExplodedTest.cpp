@@ -51,7 +51,7 @@ TEST(ReferenceExploded, TwoHalvesOfABlockLeaveAGap) {
       const double right = layout.translation(1).x, left = layout.translation(0).x;
       ASSERT_GT(right, 1.0);
       EXPECT_NEAR(right, -left, 1e-6);
-      // Nothing else moves them: what pushes along the planes is the same for both.
+      // Nothing else moves them: the forces along the planes are the same for both.
       EXPECT_NEAR(layout.translation(1).y, layout.translation(0).y, 1e-6);
       const Picture here = picture(scene, camera, size, {.tolerance = 1e-8, .pixels = {}});
       const double opacity = -std::expm1(-extinction * 40.0), pixel = 120.0 / size.y;
@@ -99,7 +99,7 @@ TEST(ReferenceExploded, TheFocusStaysInItsPlace) {
   }
 }
 
-/// A focus of no extinction shows nothing but the hollow that it leaves in the parts.
+/// A focus without extinction shows only as the hollow that it leaves in the parts.
 TEST(ReferenceExploded, PartsAreHollowWhereTheFocusWas) {
   Scene scene = block(0.02, 1, 0.6);
   scene.look.focus = LabelFocus{{1}};

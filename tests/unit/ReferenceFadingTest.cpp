@@ -16,7 +16,7 @@ namespace {
 
 using namespace tests;
 
-/// Of one material throughout, with L = -p ln g,
+/// The depth τ after `length` mm of one material, with L = -p ln g:
 ///
 ///   τ' = κ exp(-L exp(-σ τ)),   w = exp(-σ τ):   w' = -σ κ w exp(-L w),   Ei(L) - Ei(L w) = σ κ t
 ///
@@ -46,7 +46,7 @@ TEST(ReferenceFading, OfOneMaterialIsTheExponentialIntegral) {
             integrateFading(state, sharpness, 7.0, {tolerance, tolerance / 7.0, 1e-13}, [&](double) {
               return FadingPoint{extinction, slope, exponent, colour};
             });
-            // An ulp of 1 is what opacity can hold, and behind so little light nothing is followed.
+            // Opacity cannot be finer than an ulp of 1, and a ray is not followed behind so little light.
             wrong = std::abs(std::exp(-state.depth) - std::exp(-tau));
             EXPECT_LE(wrong, state.error + 2e-13) << "the estimate covers the error";
             const glm::dvec3 off = glm::abs(state.colour + std::expm1(-tau) * colour);
@@ -121,7 +121,7 @@ TEST(ReferenceFading, IsTheLimitOfItsAuthorsSum) {
         const glm::dvec4 coarse = composited(scene, camera, {i, j}, 4000),
                          fine = composited(scene, camera, {i, j}, 8000);
         const glm::dvec4 found = here.final[static_cast<std::size_t>(j * size.x + i)];
-        // What is left is of second order in steps of 0.01 mm, and the reference's tolerance of 1e-5.
+        // The remaining error is of second order in steps of 0.01 mm; the reference has a tolerance of 1e-5.
         EXPECT_LT(glm::distance(found, 2.0 * fine - coarse), 3e-5) << i << ", " << j;
         greatest = std::max(greatest, found.a);
       }
@@ -149,7 +149,7 @@ TEST(ReferenceFading, WithoutReachOrOffItIsPlainRendering) {
   }
 }
 
-/// A context of one value has no gradient and fades altogether; the focus does not, nor what lies in it.
+/// A context of one value has no gradient and fades altogether; the focus and its contents do not.
 TEST(ReferenceFading, TheFocusKeepsItsOpacity) {
   Scene scene = hazyRamp(true);
   scene.volume = volumeOf<float>(gridOf({20, 30, 20}), [](glm::ivec3 i) { return i == glm::ivec3(0) ? 1.0 : 0.0; });

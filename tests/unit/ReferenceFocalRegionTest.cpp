@@ -172,7 +172,7 @@ TEST(ReferenceFocalRegion, PicturesAreTheLimitOfTheSum) {
         const glm::dvec4 sum =
             summed(scene, camera, {i, j}, outsideAround(scene.volume->grid.centre(), scene.look.method), 20000);
         const glm::dvec4 found = here.final[static_cast<std::size_t>(j * size.x + i)];
-        // Of the steps of 2 µm the two at the border are half wrong: 0.3 · 2e-3; and the reference's tolerance of 1e-5.
+        // The two steps of 2 µm at the border are half wrong: 0.3 · 2e-3; and the reference has a tolerance of 1e-5.
         EXPECT_LT(glm::distance(found, sum), 7e-4) << i << ", " << j;
         greatest = std::max(greatest, found.a);
       }
@@ -199,7 +199,7 @@ TEST(ReferenceFocalRegion, LiesAroundTheMiddleOfTheFocus) {
           << i << ", " << j;
 }
 
-/// The focus shows as its surroundings, so the sum knows none.
+/// The focus looks like its surroundings, so the sum leaves it out.
 TEST(ReferenceFocalRegion, ByDistanceFollowsTheShapeOfTheFocus) {
   Scene scene = evenRamp(regionOf(FocalShape::Distance, 3.2, 4.0));
   scene.labels =

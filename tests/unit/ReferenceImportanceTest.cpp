@@ -50,7 +50,7 @@ void setLevels(Scene& scene, std::initializer_list<std::pair<std::uint16_t, int>
   for (const auto& [label, level] : levels) put(scene.look.labels, {.label = label, .importance = level});
 }
 
-/// What is seen of one label, and how far pixels lie beside it.
+/// The picture of one label, and how far pixels lie beside it.
 class Disc {
  public:
   Disc(const Scene& scene, std::uint16_t label) {
@@ -61,7 +61,7 @@ class Disc {
   }
   bool isOn(glm::ivec2 pixel) const { return !std::isnan(hits_[at(pixel)]); }
   double hit(glm::ivec2 pixel) const { return hits_[at(pixel)]; }
-  /// The cut of a disc met at `y`, of cones of 45°.
+  /// The cut around a disc met at `y`, with cones of 45°.
   double cut(glm::ivec2 pixel, double y) const {
     return isOn(pixel) ? hit(pixel) : y - distance_[at(pixel)] * wide / size.y;
   }
@@ -175,7 +175,7 @@ double indicatorAt(const LabelMap& map, const std::vector<std::uint16_t>& labels
   return sum;
 }
 
-/// Blobs of six labels, of which some lie in each other.
+/// Blobs of six labels; some lie in others.
 Scene blobScene(std::mt19937& random) {
   const Grid grid = gridOf({22, 20, 24});
   std::vector<std::pair<glm::dvec3, double>> blobs;

@@ -26,7 +26,7 @@ glm::dvec3 onPlane(std::size_t i, double y) {
   return {ray.origin.x, y, ray.origin.z};
 }
 
-/// Of the lens: where the line of sight to the ball's middle meets the plane.
+/// The lens's middle, where the line of sight to the ball's middle meets the plane.
 const glm::dvec3 before{20.0, 8.0, 20.0};
 
 /// A half-space of haze that begins at y = 8, before a ball of focus.

@@ -67,7 +67,7 @@ void expectAgreement(const Scene& scene) {
     moved += here->peel.sourceOf(world).part >= Peel::Part::Negative;
   });
   EXPECT_GT(moved, 300u);
-  // Ties: of means of 64 integers one in 64 is a half, and rounds as the last bit falls.
+  // One in 64 means of 64 integers is a tie, and rounds by its last bit.
   EXPECT_LE(off, count / 200);
   EXPECT_EQ(otherLabels, 0u);
   if (scene.look.clipping.cropped) {
@@ -169,7 +169,7 @@ TEST(ReferencePeeled, ARolledSlabKeepsItsOpticalDepthAlongNormals) {
     camera.eye = axis + 200.0 * outward;
     camera.up = {0.0, 0.0, 1.0};
     camera.orthographicHeight = 1.0;
-    // Only what lies between the roll's axis and 4 mm beyond the roll: there the ray meets nothing else.
+    // Only the part between the roll's axis and 4 mm beyond the roll counts: there the ray meets nothing else.
     rolled.look.clipping.planes = {{outward, glm::dot(outward, axis)},
                                    {-outward, -glm::dot(outward, axis) - peel.radius() - 4.0}};
     const Picture here = picture(rolled, camera, glm::ivec2(1), {.tolerance = 1e-7, .pixels = {}});

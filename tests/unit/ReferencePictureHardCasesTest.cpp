@@ -83,7 +83,7 @@ TEST(ReferencePictureHardCases, spacingIsAUnitLikeAnyOther) {
     const Camera camera =
         lookAt(centre + scale * glm::dvec3(12.0, -30.0, 9.0), centre, Projection::Orthographic, 20.0 * scale);
     Scene plain = scene;
-    // Opacity per mm decides what is context; without a cutaway nothing depends on that.
+    // The opacity per mm decides what is context; without a cutaway no pixel depends on that.
     plain.look.cutaway.enabled = false;
     return picture(plain, camera, {25, 25});
   };

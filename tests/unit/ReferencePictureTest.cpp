@@ -407,7 +407,7 @@ TEST(ReferenceFocusLayer, valuesShowTheFocusesFunction) {
   const double front = std::exp(-0.05 * 4.5), focus = std::exp(-0.8), back = std::exp(-0.05 * 3.5);
   const glm::dvec3 colour = blue * (1.0 - front) + front * (red * (1.0 - focus) + focus * blue * (1.0 - back));
   expectNear(onePixel(scene, 1e-12), {colour, 1.0 - front * focus * back}, 1e-10);
-  // What is focus, and so where rays start, is the same where the function shows nothing.
+  // The focus, and so the ray starts, stay the same where the function shows nothing.
   scene.look.focusAppearance.function->nodes.front().properties.extinction = 0.4;
   const auto hits = [&] { return reference::hitPoints(scene, alongX(scene.volume->grid), {1, 1}); };
   const reference::HitPoints dense = hits();

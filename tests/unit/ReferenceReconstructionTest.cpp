@@ -139,8 +139,8 @@ TEST(ReferenceReconstruction, IntegralOfASplineAgreesWithFineSteps) {
 }
 
 TEST(ReferenceReconstruction, LightFollowsTheSplinesOwnGradient) {
-  // A parabola's gradient is exact in a cubic spline everywhere: of a dense medium the light is that of the surface
-  // met.
+  // A parabola's gradient is exact in a cubic spline everywhere, and the light of a dense medium is that of its
+  // surface.
   Scene scene;
   const glm::dvec3 middle(6.2, 5.7, 6.4);
   scene.volume = volumeOf(gridOf({13, 13, 13}), [&](glm::ivec3 i) {

@@ -1,4 +1,4 @@
-// What is removed from a volume: coverages against the reference, and pictures against closed forms.
+// Removed parts of a volume: coverages against the reference, and pictures against closed forms.
 
 #include <gtest/gtest.h>
 
@@ -94,7 +94,7 @@ double worstOf(const Removals& removals, const Grid& grid) {
 }
 
 TEST(Removal, CoveragesAreTheReferences) {
-  // Half a step of rounding, and what differences of 1e-5 mm make of a bent plane's gradient.
+  // Half a step of rounding, and the error of a bent plane's gradient by differences of 1e-5 mm.
   constexpr double tolerance = 0.5 + 1e-3;
   std::mt19937 random(5);
   for (int round = 0; round < 3; ++round)
@@ -194,7 +194,7 @@ TEST(Removal, ASawThroughASlabLeavesWhatItsBladeSpares) {
   const Grid grid = gridOf({40, 20, 40});
   const double extinction = 0.05, width = 6.0, depth = 9.0;
   Scene scene = block(grid);
-  // Between the block's value and air, opacity follows the value: of a rim it is what the coverage leaves.
+  // Extinction is linear from air to the block's value, so in a rim it is in proportion to what the coverage leaves.
   scene.look.context.function = {{{0.0, {glm::dvec3(1.0), 0.0}}, {200.0, {glm::dvec3(1.0), extinction}}}};
   // The points lie on the block's face, at y = -0.5.
   scene.look.removals = {sawAlong({{19.5, -0.5, 5.0}, {19.5, -0.5, 34.0}}, depth, width)};
@@ -327,7 +327,7 @@ TEST(Removal, TakesHitsAndVoxelsFromALabelFocus) {
 }
 
 TEST(Removal, TakesCellsFromAFocusOfAir) {
-  // Air belongs to the focus: what is carved out of the tissue around it does not.
+  // Air belongs to the focus; the parts carved out of the tissue around it do not.
   const Grid grid = gridOf({20, 20, 20});
   Scene scene = valueScene(
       grid, [](glm::ivec3 v) { return glm::length(glm::dvec3(v) - 9.5) < 5.0 ? 0.0 : 100.0; }, -10.0, 10.0);

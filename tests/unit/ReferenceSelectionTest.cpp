@@ -24,7 +24,7 @@ Method ghosted(double strength, double edge, double outline) {
   return {.kind = MethodKind::Selection, .ghostStrength = strength, .ghostEdge = edge, .ghostOutline = outline};
 }
 
-/// Haze of one extinction, and behind it, seen from the front, what is in focus: all values of 2 and more.
+/// Haze of one extinction, and behind it, seen from the front, the focus: all values of 2 and more.
 Scene haze(const Method& method) {
   Scene scene;
   scene.look.context.function = {{{-10.0, {colour, extinction}}, {200.0, {colour, extinction}}}};
@@ -90,7 +90,7 @@ TEST(ReferenceSelection, AStepBeforeTheFocusHasAClosedForm) {
 TEST(ReferenceSelection, AFlatSlabLeavesTheFocusAsItIs) {
   Scene scene = haze(ghosted(1.0, 10.0, 0.5));
   const Grid grid = gridOf({20, 30, 24});
-  // Of one value but for the focus, and for the gradient of a voxel's length around it.
+  // All voxels have one value but for a corner, which gives the volume a range: without one there are no edges.
   scene.volume = volumeOf<float>(grid, [](glm::ivec3 i) { return i == glm::ivec3(0, 29, 0) ? 1.0 : 0.0; });
   scene.labels = labelsOf(
       grid, [](glm::ivec3 i) { return glm::distance(glm::dvec3(i), glm::dvec3(10.0, 18.0, 12.0)) < 5.0 ? 1 : 0; });
@@ -180,8 +180,8 @@ TEST(ReferenceSelection, PicturesAreTheLimitOfTheSum) {
       for (int j = 0; j < size.y; ++j)
         for (int i = 0; i < size.x; ++i) {
           const glm::dvec4 found = here.final[static_cast<std::size_t>(j * size.x + i)];
-          // Of the steps of 2 µm those at the ends of a ghost and of the focus are half wrong, four of them: 0.4 ·
-          // 4e-3; and the reference's tolerance of 1e-5.
+          // The four steps of 2 µm at the ends of a ghost and of the focus are half wrong: 0.4 · 4e-3; and the
+          // reference has a tolerance of 1e-5.
           EXPECT_LT(glm::distance(found, summed(scene, view.camera, stages, {i, j}, 20000)), 9e-4) << i << ", " << j;
           fromCut = std::max(fromCut, glm::distance(found, cut.final[static_cast<std::size_t>(j * size.x + i)]));
           fromWhole = std::max(fromWhole, glm::distance(found, whole.final[static_cast<std::size_t>(j * size.x + i)]));

@@ -105,7 +105,7 @@ TEST(ReferenceStrokes, ReachToTheSurfaceHoweverDeepItLies) {
   BrushStroke stroke = Flat::stroke(BrushMode::Restore, {{0.0, 0.0}});
   stroke.toSurface = true;
   stroke.depth = 1.0;
-  // All of the 50 mm in the middle, half of them where the profile is half.
+  // All 50 mm in the middle, half of them where the profile is half.
   EXPECT_NEAR(flat.edits({stroke}).offset[Flat::at(0, 0)], -50.0, 1e-12);
   stroke.softness = 1.0;
   const int half = static_cast<int>(std::lround(0.5 * stroke.radius));

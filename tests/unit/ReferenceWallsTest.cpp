@@ -162,7 +162,7 @@ TEST(ReferenceWalls, InsideTheOpeningTheyShowInWhatIsRemoved) {
   EXPECT_TRUE(picture(scene, camera, size, options).walls.empty()) << "without an opening there is none";
 }
 
-/// Of three walls, the nearest within the opening: analytic depths along oblique rays.
+/// A ray shows the nearest of three walls that it meets within the opening: analytic depths along oblique rays.
 TEST(ReferenceWalls, TheNearestWallShows) {
   const Scene scene = openedBlock();
   const Camera camera = Camera::fromAngles(35.0, 25.0, grid);
@@ -188,7 +188,7 @@ TEST(ReferenceWalls, TheNearestWallShows) {
     for (std::size_t i = 0; i < rays.size(); ++i) {
       if (!std::isfinite(nearest[i])) continue;
       ++compared;
-      // Another wall's rim may lie before it, half transparent: a pixel wide, of walls of some 30 pixels.
+      // Another wall's half transparent rim may lie before it: a pixel wide, on walls of some 30 pixels.
       seen += walls[i].a == (offset > 0.0 ? 1.0 : 0.0);
     }
   }

@@ -1,4 +1,4 @@
-// What a click on a picture means, for layers along a ray.
+// The point that a click on a picture means, for layers along a ray.
 
 #include "rendering/scene/SeenPoint.h"
 

@@ -1,4 +1,4 @@
-// What 3-D pictures show of a volume, voxel by voxel and row by row, and the settings of labels.
+// The volume as 3-D pictures show it, voxel by voxel and row by row, and the settings of labels.
 
 #include "rendering/scene/ShownVolume.h"
 
@@ -60,7 +60,7 @@ TEST(ShownVolume, HidesTheTableAndHiddenLabelsAndNothingElse) {
   volume->modality = Modality::CT;
   volume->unit = "HU";
   ASSERT_TRUE(volume->isInHounsfieldUnits());
-  // What is darker than air stays.
+  // Values below air stay as they are.
   expectShown<std::int16_t>(
       maskedScene(volume), [](glm::ivec3 v) { return isMasked(v) ? std::min(hounsfield(v), -1000.0) : hounsfield(v); });
   Scene scene = maskedScene(volume);

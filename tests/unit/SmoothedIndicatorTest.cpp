@@ -181,7 +181,7 @@ TEST(SmoothedIndicator, ABallAndASlopeAreNearerToTheTruth) {
               << ball[i].distance << " voxels RMS; of a slope " << slope[i].angle << "° and " << slope[i].distance
               << '\n';
   }
-  // A trilinear function's gradient jumps from cell to cell: of a ball of 15 voxels by 4°.
+  // A trilinear function's gradient jumps from cell to cell: on a ball of 15 voxels by 4°.
   EXPECT_LT(ball[1].angle, 0.15 * ball[0].angle);
   EXPECT_LT(ball[2].angle, 0.15 * ball[0].angle);
   EXPECT_LT(ball[1].distance, 0.5 * ball[0].distance);

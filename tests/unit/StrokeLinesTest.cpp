@@ -205,7 +205,7 @@ TEST(StrokeLines, TilesReachedAreThoseThatALineOrItsRimMeets) {
   }
 }
 
-/// What the strokes do at a pixel: which of them reach it, in order, and how near to its lines it lies.
+/// The effect of the strokes at a pixel: which of them reach it, in order, and how near to its lines it lies.
 std::vector<std::pair<const ProjectedStroke*, double>> effectAt(const ProjectedStrokes& strokes, glm::dvec2 pixel) {
   std::vector<std::pair<const ProjectedStroke*, double>> effect;
   for (const ProjectedStroke& stroke : strokes) {

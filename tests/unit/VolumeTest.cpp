@@ -153,7 +153,7 @@ TEST(Volume, LooksLikeACtWhereItsValuesArePlausibleHounsfieldUnits) {
   };
   EXPECT_TRUE(looksLikeCtOf(patient));
   EXPECT_TRUE(looksLikeCtOf([&](double share) { return share < 0.2 ? -3024.0 : patient(share); }));
-  // The same in other units, as converters write them.
+  // The patient's values in other units, as converters write them.
   EXPECT_FALSE(looksLikeCtOf([&](double share) { return patient(share) + 1024.0; }));
   EXPECT_FALSE(looksLikeCtOf([&](double share) { return (patient(share) + 1024.0) / 4000.0; }));
   // Fields of signed values: phase, a field map, a displacement.

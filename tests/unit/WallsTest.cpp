@@ -75,7 +75,7 @@ TEST(Walls, AreTheOnesThatAreOn) {
   EXPECT_EQ(walls[0].plane, SlicePlane::Sagittal);
 }
 
-/// Of an oblique and sheared grid: a wall keeps the parallelogram of its voxels and stands beyond all of the box.
+/// On an oblique and sheared grid a wall keeps the parallelogram of its voxels and stands beyond all of the box.
 TEST(Walls, OfAShearedGridStandParallelToTheirSlices) {
   Grid sheared = obliqueGrid({20, 30, 12});
   sheared.direction[2] = glm::normalize(sheared.direction[2] + 0.3 * sheared.direction[1]);

@@ -54,17 +54,10 @@ void Brush::scaleDepth(double factor) {
   setSettings(settings);
 }
 
-void Brush::setActive(bool on) {
-  if (on == active_) return;
-  active_ = on;
-  Q_EMIT changed();
-  Q_EMIT activeChanged(on);
-}
-
 void Brush::toggle(bool otherWay) {
   const bool isOther = settings_.mode == BrushMode::Open || settings_.mode == BrushMode::Strengthen;
   if (isOther == otherWay) {
-    setActive(!active_);
+    setActive(!isActive());
     return;
   }
   BrushSettings settings = settings_;

@@ -1,10 +1,10 @@
 #pragma once
-// How the brush paints, the same in both 3-D views. The document holds the painted strokes.
+// How the brush paints, in both 3-D views alike. The document holds the painted strokes.
 
-#include <QObject>
 #include <QString>
 
 #include "rendering/scene/Settings.h"
+#include "viewer/model/StrokeMode.h"
 
 namespace fenestra::viewer {
 
@@ -66,10 +66,10 @@ QString nameOf(BrushMode mode);
 /// The mode that reverses another: Restore and Open, Fade and Strengthen.
 BrushMode opposite(BrushMode mode);
 
-class Brush : public QObject {
+class Brush : public StrokeMode {
   Q_OBJECT
  public:
-  using QObject::QObject;
+  using StrokeMode::StrokeMode;
 
   const BrushSettings& settings() const { return settings_; }
   void setSettings(const BrushSettings& settings);
@@ -77,20 +77,12 @@ class Brush : public QObject {
   /// Scales the depth, or the amount in modes without depth. Restore then goes by the depth, no longer to the surface.
   void scaleDepth(double factor);
 
-  /// The left button paints instead of turning the view.
-  bool isActive() const { return active_; }
-  void setActive(bool on);
   /// Presses the key of the brush, or of its opposite (`otherWay`): activates the brush in a mode of that direction, or
   /// deactivates it when it is active in that direction already.
   void toggle(bool otherWay);
 
- Q_SIGNALS:
-  void changed();
-  void activeChanged(bool active);
-
  private:
   BrushSettings settings_;
-  bool active_ = false;
 };
 
 }  // namespace fenestra::viewer

@@ -7,7 +7,7 @@
 namespace fenestra::viewer {
 namespace {
 
-/// mm along the ray; less than that no picture shows.
+/// mm along the ray; a picture does not show less.
 constexpr double leastStretch = 0.01;
 
 std::optional<BrushObstacle> obstacleAt(const BrushSettings& settings, const Look& look,

@@ -26,15 +26,15 @@ enum class BrushObstacle {
   OffFocus,        ///< Fade, Strengthen: no focus there, over which edges would be drawn
 };
 
-/// What keeps a stroke from changing anything at the points that it would touch (Renderer::pickBrush; empty where it
-/// touches nothing), the first of which is its centre. Empty when it has an effect at any of them.
+/// Why a stroke would change nothing at the points that it touches (Renderer::pickBrush; empty where it touches
+/// nothing), the first of which is its centre. Empty when it has an effect at any of them.
 std::optional<BrushObstacle> obstacleTo(const BrushSettings& settings, const Look& look,
                                         std::span<const std::optional<BrushPoint>> points);
 /// One short sentence without its full stop.
 QString textOf(BrushObstacle obstacle);
-/// What would let the stroke have an effect; empty where no setting does.
+/// The remedy: what would let the stroke have an effect; empty where no setting does.
 QString remedyOf(BrushObstacle obstacle);
-/// Does what remedyOf() says.
+/// Applies the remedy.
 void applyRemedy(BrushObstacle obstacle, Brush& brush, Document& document);
 
 }  // namespace fenestra::viewer

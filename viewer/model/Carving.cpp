@@ -9,7 +9,7 @@
 namespace fenestra::viewer {
 namespace {
 
-/// With further points between those of a path, no farther apart than `most` mm.
+/// The path with more points, no farther apart than `most` mm.
 std::vector<glm::dvec3> withoutGaps(const std::vector<glm::dvec3>& path, double most) {
   std::vector<glm::dvec3> closer;
   for (const glm::dvec3& point : path) {
@@ -25,7 +25,7 @@ std::vector<glm::dvec3> withoutGaps(const std::vector<glm::dvec3>& path, double 
 
 }  // namespace
 
-Removal carvedAlong(const std::vector<glm::dvec3>& stroke, const CarvingSettings& settings, const CarvingAxes& axes) {
+Removal carvedAlong(const std::vector<glm::dvec3>& stroke, const CarvingSettings& settings, const Camera::Axes& axes) {
   Removal removal;
   removal.shape = settings.shape;
   removal.points = stroke;
@@ -47,8 +47,9 @@ Removal carvedAlong(const std::vector<glm::dvec3>& stroke, const CarvingSettings
   return removal;
 }
 
-double bentBy(const Removal& plane, glm::dvec2 moved, const CarvingAxes& axes) {
-  constexpr double leastSeen = 0.3;  // of the normal's length: below, small moves would bend far
+double bentBy(const Removal& plane, glm::dvec2 moved, const Camera::Axes& axes) {
+  // Share of the normal's length that the view must show: with less, small moves would bend the plane far.
+  constexpr double leastSeen = 0.3;
   const glm::dvec3 normal = StrokePlane(plane.points, plane.direction).normal;
   const glm::dvec2 seen(glm::dot(normal, axes.right), glm::dot(normal, axes.up));
   const double length2 = glm::dot(seen, seen);
@@ -56,7 +57,7 @@ double bentBy(const Removal& plane, glm::dvec2 moved, const CarvingAxes& axes) {
   return glm::dot(moved, seen) / length2;
 }
 
-Carving::Carving(Document& document, QObject* parent) : QObject(parent), document_(document) {
+Carving::Carving(Document& document, QObject* parent) : StrokeMode(parent), document_(document) {
   connect(&document, &Document::cutawayChanged, this, [this] {
     if (!isOffered()) setActive(false);
   });
@@ -77,13 +78,6 @@ void Carving::setSettings(const CarvingSettings& settings) {
   if (within == settings_) return;
   settings_ = within;
   Q_EMIT changed();
-}
-
-void Carving::setActive(bool on) {
-  if (on == active_ || (on && !isOffered())) return;
-  active_ = on;
-  Q_EMIT changed();
-  Q_EMIT activeChanged(on);
 }
 
 }  // namespace fenestra::viewer

@@ -1,11 +1,12 @@
 #pragma once
-// How the mouse carves a volume, the same in all views. The document holds what has been removed.
+// How the mouse carves a volume, in all views alike. The document holds the removals.
 
 #include <QObject>
-#include <QString>
 
+#include "rendering/scene/Camera.h"
 #include "rendering/scene/Removal.h"
 #include "rendering/scene/Settings.h"
+#include "viewer/model/StrokeMode.h"
 
 namespace fenestra::viewer {
 
@@ -54,42 +55,32 @@ inline constexpr std::tuple settingsOf<viewer::CarvingSettings>{
 
 namespace fenestra::viewer {
 
-/// Unit vectors of a view, world, where it is carved.
-struct CarvingAxes {
-  glm::dvec3 right{1.0, 0.0, 0.0}, up{0.0, 1.0, 0.0}, forward{0.0, 0.0, -1.0};
-};
-
-/// What a stroke over those points removes. Between two points a box leaves no gap. A saw's stroke that comes back to
+/// What a stroke over those points removes; `axes` are the view's, with forward along the line of sight. Between two
+/// points a box leaves no gap. A saw's stroke that comes back to
 /// within its thickness of where it began is closed. A plane removes what lies to the right of the stroke.
-Removal carvedAlong(const std::vector<glm::dvec3>& stroke, const CarvingSettings& settings, const CarvingAxes& axes);
+Removal carvedAlong(const std::vector<glm::dvec3>& stroke, const CarvingSettings& settings, const Camera::Axes& axes);
 
 /// How a drag bends a plane: by how far `moved` (mm along the view's right and up) goes along its normal on the screen;
 /// where that points to the eye or away from it, up on the screen is towards the eye.
-double bentBy(const Removal& plane, glm::dvec2 moved, const CarvingAxes& axes);
+double bentBy(const Removal& plane, glm::dvec2 moved, const Camera::Axes& axes);
 
-class Carving : public QObject {
+class Carving : public StrokeMode {
   Q_OBJECT
  public:
-  /// Carves `document`.
+  /// Carves `document`, which outlives this.
   explicit Carving(Document& document, QObject* parent = nullptr);
 
   const CarvingSettings& settings() const { return settings_; }
   void setSettings(const CarvingSettings& settings);
 
-  /// The left button carves instead of turning the view.
-  bool isActive() const { return active_; }
-  void setActive(bool on);
-  /// The document's method is one of those that nothing but carving opens.
+  /// The document's method opens the view by carving alone.
   bool isOffered() const;
 
- Q_SIGNALS:
-  void changed();
-  void activeChanged(bool active);
-
  private:
+  bool canBeUsed() const override { return isOffered(); }
+
   Document& document_;
   CarvingSettings settings_;
-  bool active_ = false;
 };
 
 }  // namespace fenestra::viewer

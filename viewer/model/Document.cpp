@@ -1,7 +1,6 @@
-#include "viewer/model/Document.h"
+#include "viewer/model/DocumentChanges.h"
 
 #include <algorithm>
-#include <iterator>
 #include <utility>
 
 #include "io/TransferFunctionFile.h"
@@ -9,137 +8,10 @@
 namespace fenestra::viewer {
 namespace {
 
-/// Bytes that the growths of regions may hold together; the latest stays whatever its size. A growth has one a voxel.
+/// Bytes that the growths of regions may hold together, one for each voxel; the latest stays whatever its size.
 constexpr std::size_t mostGrownBytes = std::size_t{256} << 20;
 
 }  // namespace
-
-/// From one look to another. Of the strokes only those are kept that differ: everything between what both lists begin
-/// with and what both end with.
-class Document::LookChange : public Change {
- public:
-  LookChange(Document& document, Look before, Look after)
-      : document_(document), before_(std::move(before)), after_(std::move(after)) {
-    BrushStrokes &old = before_.strokes, &now = after_.strokes;
-    const auto [oldEnd, nowEnd] = std::mismatch(old.begin(), old.end(), now.begin(), now.end());
-    firstStroke_ = static_cast<std::size_t>(oldEnd - old.begin());
-    const auto last =
-        std::mismatch(old.rbegin(), std::reverse_iterator(oldEnd), now.rbegin(), std::reverse_iterator(nowEnd));
-    old = {oldEnd, last.first.base()};
-    now = {nowEnd, last.second.base()};
-  }
-
-  void undo() override { document_.show(replaced(document_.look(), after_, before_)); }
-  void redo() override { document_.show(replaced(document_.look(), before_, after_)); }
-
-  bool absorb(const Change& next) override {
-    const auto& later = static_cast<const LookChange&>(next);
-    const Look& now = document_.look();
-    // Each finds its strokes at its own place.
-    const Look between = later.replaced(now, later.after_, later.before_);
-    *this = LookChange(document_, replaced(between, after_, before_), now);
-    return true;
-  }
-  bool isNothing() const override { return before_ == after_; }
-
-  std::size_t bytes() const override { return sizeof(*this) + heldBy(before_) + heldBy(after_); }
-
- private:
-  LookChange& operator=(LookChange&& other) noexcept {
-    before_ = std::move(other.before_);
-    after_ = std::move(other.after_);
-    firstStroke_ = other.firstStroke_;
-    return *this;
-  }
-
-  /// `whole`, which is `from` with all its strokes, as `to`.
-  Look replaced(const Look& whole, const Look& from, const Look& to) const {
-    Look result = to;
-    const auto begin = whole.strokes.begin() + static_cast<std::ptrdiff_t>(firstStroke_);
-    result.strokes.insert(result.strokes.begin(), whole.strokes.begin(), begin);
-    result.strokes.insert(result.strokes.end(), begin + static_cast<std::ptrdiff_t>(from.strokes.size()),
-                          whole.strokes.end());
-    return result;
-  }
-
-  static std::size_t heldBy(const std::vector<SelectionStroke>& strokes) {
-    std::size_t bytes = strokes.capacity() * sizeof(SelectionStroke);
-    for (const SelectionStroke& stroke : strokes) bytes += stroke.anchors.capacity() * sizeof(glm::dvec3);
-    return bytes;
-  }
-
-  static std::size_t heldBy(const Look& look) {
-    const ContextFunction& context = look.context;
-    std::size_t bytes =
-        look.labels.capacity() * sizeof(LabelSetting) + context.preset.capacity() + context.file.native().capacity() +
-        context.function.nodes.capacity() * sizeof(TransferFunction::Node) +
-        look.strokes.capacity() * sizeof(BrushStroke) + look.clipping.planes.capacity() * sizeof(HalfSpace) +
-        look.clipping.exempt.capacity() * sizeof(std::uint16_t);
-    for (const BrushStroke& stroke : look.strokes) bytes += stroke.anchors.capacity() * sizeof(glm::dvec3);
-    bytes += look.removals.capacity() * sizeof(Removal);
-    for (const Removal& removal : look.removals)
-      bytes += removal.points.capacity() * sizeof(glm::dvec3) + removal.bends.capacity() * sizeof(Bend);
-    if (const auto* focus = std::get_if<LabelFocus>(&look.focus))
-      bytes += focus->labels.capacity() * sizeof(focus->labels[0]);
-    if (const auto* focus = std::get_if<RegionFocus>(&look.focus))
-      bytes += (focus->inside.capacity() + focus->outside.capacity()) * sizeof(glm::dvec3) + heldBy(focus->painted);
-    return bytes;
-  }
-
-  Document& document_;
-  Look before_, after_;
-  std::size_t firstStroke_ = 0;  ///< place of the first that differs
-};
-
-/// From one label map to another, and from one focus to another.
-class Document::LabelsChange : public Change {
- public:
-  struct State {
-    std::uint64_t revision;
-    Focus focus;
-  };
-  LabelsChange(Document& document, segmentation::LabelEdit edit, State before, State after)
-      : document_(document), edit_(std::move(edit)), before_(std::move(before)), after_(std::move(after)) {}
-
-  void undo() override {
-    document_.showLabels(edit_.reverted(document_.labels().get()), before_.revision, before_.focus);
-  }
-  void redo() override { document_.showLabels(edit_.applied(document_.labels().get()), after_.revision, after_.focus); }
-  bool absorb(const Change&) override { return false; }
-  bool isNothing() const override { return edit_.runs.empty() && edit_.before.labels == edit_.after.labels; }
-  std::size_t bytes() const override { return sizeof(*this) + edit_.bytes(); }
-
- private:
-  Document& document_;
-  segmentation::LabelEdit edit_;
-  State before_, after_;
-};
-
-/// From one list of measures to another.
-class Document::MeasuresChange : public Change {
- public:
-  MeasuresChange(Document& document, std::vector<Measure> before, std::vector<Measure> after)
-      : document_(document), before_(std::move(before)), after_(std::move(after)) {}
-
-  void undo() override { document_.showMeasures(before_); }
-  void redo() override { document_.showMeasures(after_); }
-  bool absorb(const Change& next) override {
-    after_ = static_cast<const MeasuresChange&>(next).after_;
-    return true;
-  }
-  bool isNothing() const override { return before_ == after_; }
-  std::size_t bytes() const override { return sizeof(*this) + heldBy(before_) + heldBy(after_); }
-
- private:
-  static std::size_t heldBy(const std::vector<Measure>& measures) {
-    std::size_t bytes = measures.capacity() * sizeof(Measure);
-    for (const Measure& each : measures) bytes += each.points.capacity() * sizeof(each.points[0]);
-    return bytes;
-  }
-
-  Document& document_;
-  std::vector<Measure> before_, after_;
-};
 
 void Document::open(io::Study study) {
   study_ = std::move(study);
@@ -168,21 +40,17 @@ void Document::open(io::Study study) {
 void Document::updateDrawn() { study_.drawn.update(study_.scene, growth()); }
 
 void Document::show(Look look) {
-  const Look before = std::exchange(study_.scene.look, std::move(look));
+  Look before = std::exchange(study_.scene.look, std::move(look));
   updateDrawn();
   const Look& now = this->look();
-  const bool focus = now.focus != before.focus || now.focusAppearance != before.focusAppearance;
-  const bool context = now.context != before.context;
-  const bool cutaway =
-      now.method != before.method || now.cutaway != before.cutaway || now.contextLayer != before.contextLayer;
-  const bool shading = now.shading != before.shading, strokes = now.strokes != before.strokes;
-  const bool labels = now.labels != before.labels, clipping = now.clipping != before.clipping;
-  const bool removals = now.removals != before.removals;
-  const bool scene = focus || labels || context || cutaway || shading || clipping ||
-                     now.background != before.background || now.backdrop != before.backdrop ||
-                     now.backgroundTop != before.backgroundTop || now.hideTable != before.hideTable ||
-                     now.reconstruction != before.reconstruction || now.labelSmoothing != before.labelSmoothing ||
-                     now.edges != before.edges || removals;
+  const auto differs = [&](auto... members) { return ((now.*members != before.*members) || ...); };
+  const bool focus = differs(&Look::focus, &Look::focusAppearance), labels = differs(&Look::labels);
+  const bool context = differs(&Look::context), shading = differs(&Look::shading);
+  const bool cutaway = differs(&Look::method, &Look::cutaway, &Look::contextLayer);
+  const bool clipping = differs(&Look::clipping), removals = differs(&Look::removals);
+  const bool strokes = differs(&Look::strokes);
+  if (strokes) before.strokes = now.strokes;  // nothing else leaves 3-D pictures as they are
+  const bool scene = now != before;
   if (focus) Q_EMIT focusChanged();
   if (labels) Q_EMIT labelSettingsChanged();
   if (context) Q_EMIT transferFunctionChanged();

@@ -23,20 +23,20 @@ class Document : public QObject {
  public:
   using QObject::QObject;
 
-  /// Shows a study with its scene's look and, where it comes from a session, that session's display window. Nothing of
-  /// what was open before can be undone then.
+  /// Shows a study with its scene's look and, where it comes from a session, that session's display window. Clears the
+  /// history.
   void open(io::Study study);
-  /// A label map on the volume's grid, or null. A focus made of the old map's labels goes with it, and so do their
-  /// settings and what could be undone.
+  /// Sets a label map on the volume's grid, or none. Clears the old labels' settings, a focus made of them, and the
+  /// history.
   void setLabels(std::shared_ptr<const LabelMap> labels, io::SessionData from = {});
   /// Changes the labels, with another focus, as one step. `after` is what `edit` makes of labels().
   void editLabels(const QString& name, segmentation::LabelEdit edit, std::shared_ptr<const LabelMap> after,
                   Focus focus);
-  /// Which state the labels are in: another after each edit, and the earlier one after its undo.
+  /// The number of the labels' state: a new one after each edit, the earlier one after an undo.
   std::uint64_t labelsRevision() const { return labelsRevision_; }
   /// Whether study().session names a file that holds the labels as they are; true without labels.
   bool labelsAreInFile() const { return !labels() || labelsRevision_ == filedRevision_; }
-  /// The labels of that revision are in a file; an empty one: in none.
+  /// Notes that the labels of that revision are in a file, or in none where `file` is empty.
   void noteLabelsFile(std::uint64_t revision, const io::SessionData& file);
   /// Takes over the hashes of the data's contents, where `session` is of the same data.
   void noteContents(const io::Session& session);
@@ -48,7 +48,7 @@ class Document : public QObject {
   /// "CT · 512×512×245 · 1.00×1.00×1.00 mm": nothing that could name a patient.
   QString description() const;
 
-  /// What the user edits: what undo and redo move through, and what a session keeps.
+  /// What the user edits: undo and redo change it, and a session keeps it.
   const Look& look() const { return study_.scene.look; }
   /// Changes the look as one step, named as the Edit menu shows it ("Undo NAME"). All setters below that change the
   /// look call this; window and level, crosshair and how a view is turned by hand are no steps.
@@ -68,13 +68,13 @@ class Document : public QObject {
   void setFocus(Focus focus);
   /// The region in the focus, or null.
   const RegionFocus* region() const { return std::get_if<RegionFocus>(&focus()); }
-  /// What region() shows, of which isWhole() tells whether all of it is grown. Null without a region, and until a first
-  /// part of it is there; the scene shows the focus before it until then.
+  /// The growth of region(); isWhole() tells whether it is complete. Null without a region, and until a first part is
+  /// grown; until then the scene shows the focus before it.
   const segmentation::Growth* growth() const;
   bool isWhole() const { return growth() && growth() != preview_.growth.get(); }
   /// The region in the focus has to be grown: see RegionGrower.
   bool awaitsGrowth() const { return region() && !isWhole(); }
-  /// What was grown from `seeds`: a first part of it, or all.
+  /// Sets the growth from `seeds`: a first part of it, or the whole.
   void setGrowth(const RegionFocus& seeds, std::shared_ptr<const segmentation::Growth> growth, bool whole);
   /// The focus becomes the region around a world position, or gets another seed.
   void growFrom(glm::dvec3 world);
@@ -82,7 +82,7 @@ class Document : public QObject {
   /// A stroke over the region in the focus, which begins with it where another focus is there; one that takes away
   /// changes a region alone.
   void paintSelection(SelectionStroke stroke);
-  /// What was grown of a region that `wanted` is more strokes over: that region, and its growth; the latest of several.
+  /// The latest region that `wanted` continues by more strokes, with its growth.
   std::optional<std::pair<RegionFocus, std::shared_ptr<const segmentation::Growth>>> grownBefore(
       const RegionFocus& wanted) const;
   /// Sets the tolerance of the region in the focus; empty: chosen from the plateaus.
@@ -123,14 +123,14 @@ class Document : public QObject {
   const BrushStrokes& strokes() const { return look().strokes; }
   void setStrokes(BrushStrokes strokes, const QString& name);
 
-  /// What is carved out of the volume.
+  /// The removals carved out of the volume.
   const Removals& removals() const { return look().removals; }
   void setRemovals(Removals removals, const QString& name);
 
-  /// Distances, angles and regions drawn on the slices, and what each says.
+  /// Distances, angles and regions drawn on the slices, and their values.
   const std::vector<Measure>& measures() const { return measures_; }
   const MeasureValues& measured(std::size_t index) const { return measured_.at(index); }
-  /// As one step, named as the Edit menu shows it.
+  /// Sets them as one step, named as the Edit menu shows it.
   void setMeasures(std::vector<Measure> measures, const QString& name);
 
   /// The study's labels; null without any.
@@ -144,7 +144,7 @@ class Document : public QObject {
   void volumeChanged();
   void labelsChanged();
   void focusChanged();
-  /// The look of single labels beside the focus.
+  /// Settings of single labels, the focus excepted.
   void labelSettingsChanged();
   void windowChanged();  ///< or inverted
   void transferFunctionChanged();
@@ -154,7 +154,7 @@ class Document : public QObject {
   void clippingChanged();
   /// Brush strokes: a small part of a 3-D picture.
   void strokesChanged();
-  /// What is carved out of the volume.
+  /// The removals carved out of the volume.
   void removalsChanged();
   void measuresChanged();
   /// After any of the above, strokes and measures excepted, that changes a 3-D picture.
@@ -177,12 +177,12 @@ class Document : public QObject {
 
   io::Study study_;           ///< its `scene` and `drawn` follow what the user does
   Grown preview_;             ///< a first part
-  std::vector<Grown> grown_;  ///< wholes for undo to come back to, the latest last; see mostGrownBytes
+  std::vector<Grown> grown_;  ///< complete ones for undo, the latest last; see mostGrownBytes
   std::uint64_t labelsRevision_ = 0, filedRevision_ = 0, lastRevision_ = 0;
   WindowLevel window_;
   bool inverted_ = false;
   std::vector<Measure> measures_;
-  std::vector<MeasureValues> measured_;  ///< of each of measures_
+  std::vector<MeasureValues> measured_;  ///< the values of each of measures_
   History history_;
 };
 

@@ -3,8 +3,7 @@
 namespace fenestra::viewer {
 
 DrawingTurns::DrawingTurns(const FramePacer& pacer) : pacer_(pacer) {
-  // Qt handles a paint request that is posted when a round ends before a timer: pictures are not drawn faster than
-  // they are shown.
+  // Qt handles paint requests before timers, so the pictures of a round are shown before the next round begins.
   timer_.setInterval(0);
   connect(&timer_, &QTimer::timeout, this, &DrawingTurns::next);
 }

@@ -25,7 +25,7 @@ class DrawingTurns : public QObject {
  Q_SIGNALS:
   /// The view may draw now.
   void turn(int view);
-  /// Every view that asked has had its turn: what they drew is to be shown.
+  /// Every view that asked has had its turn; their pictures are to be shown now.
   void roundEnded();
 
  private:
@@ -34,7 +34,8 @@ class DrawingTurns : public QObject {
   int firstWaiting() const;
 
   const FramePacer& pacer_;
-  std::array<bool, FramePacer::views> waiting_{}, served_{};  ///< of each view; served_: in this round
+  std::array<bool, FramePacer::views> waiting_{},
+      served_{};  ///< for each view: it has asked; it had its turn in this round
   QTimer timer_;
 };
 

@@ -19,10 +19,10 @@ const Effort first{FramePacer::leastScale, Quality::Normal};
 /// A frame that holds both views may take so many times the budget; a longer one leaves out the view that follows.
 constexpr double latest = 1.2;
 
-/// Of the budget, what a frame is planned for: some frames take longer.
+/// Share of the budget that a frame is planned for, because some frames take longer.
 constexpr double planned = 0.85;
 
-/// Of the time of two pictures: the view that the user turns shows more detail than the one that follows.
+/// Share of two pictures' time that the view gets which the user turns: it shows more detail than the one that follows.
 constexpr double leaderShare = 0.6;
 
 void blend(std::optional<double>& average, double sample) {
@@ -45,7 +45,7 @@ QString nameOf(const Effort& effort) {
   return translated("error ≤ %1/255").arg(effort.maxError.value_or(highQualityError));
 }
 
-/// What a frame's pictures may take together.
+/// Milliseconds that the pictures of a frame may take together.
 double FramePacer::timeForPictures() const {
   // However slow the rest of a frame is, pictures get a part of it.
   return std::max(planned * budget_ - overhead_.value_or(0.0), 0.4 * budget_);
@@ -69,8 +69,7 @@ int FramePacer::framesPerFollowing() const {
   if (!draftCost_ || leader == rest_) return 1;
   const auto costOf = [&](const Effort& effort) { return *draftCost_ * effort.scale * effort.scale; };
   const double frame = overhead_.value_or(0.0) + costOf(leader) + costOf(follower);
-  // Until its next but one frame it waits longer than for one that is late. In every third frame it would seem to stand
-  // still.
+  // In every second frame at least: a view that is drawn in every third one seems to stand still.
   return frame <= latest * budget_ ? 1 : 2;
 }
 

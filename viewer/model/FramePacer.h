@@ -1,6 +1,6 @@
 #pragma once
 // Size and sampling of the 3-D views while something moves, from measured times: smaller pictures on a slow machine,
-// full ones on a fast one. Also which view comes first.
+// full ones on a fast one. It also decides which view is drawn first.
 
 #include <array>
 #include <optional>
@@ -28,7 +28,7 @@ class FramePacer {
   static constexpr double budget = 1000.0 / 12.0;
   /// Below a quarter of the resolution anatomy is hard to recognise.
   static constexpr double leastScale = 0.25;
-  /// The same for the linked view: users look at the one that they turn.
+  /// Least scale of the linked view, which may be coarser: users look at the view that they turn.
   static constexpr double leastFollowingScale = 0.1875;
   /// Milliseconds that a first picture at rest may take. Where one at full quality takes more than twice as long, a
   /// draft comes before it; otherwise a draft would be on screen for less time than it delays that picture.
@@ -47,7 +47,7 @@ class FramePacer {
   void setBudget(double milliseconds) { budget_ = milliseconds; }
   Effort atRest() const { return rest_; }
   void setAtRest(Quality quality, std::optional<double> maxError);
-  /// For the next frame of a drag that redraws so many views. The view that leads gets more of the time.
+  /// The effort for the next frame of a drag that redraws so many views. The view that leads gets more of the time.
   Effort moving(int views, bool leads = true) const;
   /// What a view draws first when it comes to rest; unset where that is the picture at full quality.
   std::optional<Effort> beforeRest() const;

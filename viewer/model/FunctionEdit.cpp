@@ -106,7 +106,7 @@ WithNode withTrapezoid(const TransferFunction& function, ValueRange values, doub
   const glm::dvec3 colour = function.evaluate(0.5 * (values.low + values.high)).colour;
   const double beside = opacityFromExtinction(std::max(left.extinction, right.extinction));
   const double top = extinctionFromOpacity(opacity > beside ? opacity : 0.5 * (1.0 + beside));
-  // Along an edge that rises from nothing the plateau's colour shows alone.
+  // An edge that rises from opacity 0 has the plateau's colour.
   if (left.extinction == 0.0) left.colour = colour;
   if (right.extinction == 0.0) right.colour = colour;
   std::erase_if(nodes, [&](const auto& node) { return node.value > values.low && node.value < values.high; });

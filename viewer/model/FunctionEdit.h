@@ -10,7 +10,7 @@
 
 namespace fenestra::viewer {
 
-/// What is moved.
+/// The part of a function that is moved.
 struct Grip {
   enum class Part : std::uint8_t {
     Node,       ///< value and opacity; both ends of a plateau keep the same opacity
@@ -20,7 +20,7 @@ struct Grip {
     Whole,      ///< the values of all four nodes
   };
   Part part = Part::Node;
-  std::size_t node = 0;  ///< of a trapezoid its first
+  std::size_t node = 0;  ///< for a trapezoid, its first
   bool operator==(const Grip&) const = default;
 };
 
@@ -39,7 +39,7 @@ struct WithNode {
 };
 WithNode withNode(const TransferFunction& function, double value, double opacity);
 TransferFunction withoutNode(const TransferFunction& function, std::size_t node);
-/// The function with a trapezoid in place of what lay strictly between two values. Its plateau spans the middle half
+/// The function with a trapezoid in place of the nodes strictly between two values. Its plateau spans the middle half
 /// and is at least as opaque as asked; where it would not stand out, it rises half way to full opacity. The outer nodes
 /// keep the function's opacity there.
 WithNode withTrapezoid(const TransferFunction& function, ValueRange values, double opacity);

@@ -27,7 +27,7 @@ class Change {
 class History : public QObject {
   Q_OBJECT
  public:
-  /// Bytes that all steps together may hold. The oldest are dropped first; the latest stays whatever its size. A
+  /// Bytes that all steps may hold together. The oldest are dropped first; the latest stays whatever its size. A
   /// slider's step takes about 2 kB, a brush stroke 24 bytes more for each point: room for 30 000 slider steps or 10
   /// 000 strokes of 200 points.
   static constexpr std::size_t defaultLimit = std::size_t{64} << 20;

@@ -42,7 +42,7 @@ void LookLibrary::reload() {
     if (file->path().extension() != ending) continue;
     try {
       Entry entry{file->path(), io::readLook(file->path())};
-      // A copy that was put there by hand has its original's name.
+      // A file copied by hand holds its original's name.
       if (find(nameOf(entry))) entry.preset.name = file->path().stem().string();
       if (!find(nameOf(entry))) entries_.push_back(std::move(entry));
     } catch (const io::Error& error) {

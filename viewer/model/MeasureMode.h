@@ -1,6 +1,6 @@
 #pragma once
-// Which measure the mouse draws on the slices, the one being drawn, and the one that is selected; the same in all
-// views.
+// Which kind of measure the mouse draws on the slices, the measure being drawn, and the selected one, in all views
+// alike.
 
 #include <optional>
 
@@ -18,9 +18,9 @@ class MeasureMode : public QObject {
   /// `document` outlives this.
   explicit MeasureMode(Document& document, QObject* parent = nullptr);
 
-  /// Unset: the mouse draws none.
+  /// The kind that the mouse draws; unset: none.
   std::optional<MeasureKind> kind() const { return kind_; }
-  /// Starts drawing that kind; the kind that is drawn already: ends it. A measure that is not finished goes.
+  /// Starts drawing that kind, or ends drawing where it is drawn already. An unfinished measure is dropped.
   void toggle(MeasureKind kind);
 
   /// The measure being drawn: its last point follows the mouse.
@@ -35,7 +35,7 @@ class MeasureMode : public QObject {
   void removeSelected();
   void removeAll();
 
-  /// Gives up the draft; without one ends drawing; without that deselects. False when there was nothing to end.
+  /// Drops the draft; without one, ends drawing; else deselects. False when there was nothing to end.
   bool stop();
 
  Q_SIGNALS:

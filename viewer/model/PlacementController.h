@@ -67,8 +67,8 @@ class PlacementController : public QObject {
   bool canPlace() const;
   /// Measures the focus, unless it is measured already, and flies both cameras to the answer.
   void place() { measure(true); }
-  /// The same without a request of the user: after a focus was chosen, or for a study that asks for it. leaving() is
-  /// not emitted.
+  /// As place(), but not asked for by the user: after a focus was chosen, or because a study says so. Does not emit
+  /// leaving().
   void placeAutomatically() { measure(false); }
   /// Measures the focus without moving a camera.
   void measureAlone();
@@ -82,10 +82,10 @@ class PlacementController : public QObject {
   void goTo(glm::dvec3 direction);
 
   /// A click on a slice at a world position. With `byPick`, both cameras fly to the best views of the structure there,
-  /// which is rated on another thread after a moment; of several clicks the last counts. A problem becomes the note and
-  /// moves nothing. Needs no backend.
+  /// which is rated on another thread after a moment; of several clicks the last counts. Where that fails, note() says
+  /// why and no camera moves. Needs no backend.
   void pick(glm::dvec3 world);
-  /// That click was the first half of a double click.
+  /// Takes the last pick back: its click was the first half of a double click.
   void forgetPick();
   bool isRating() const { return picked_.isActive() || goesOn_; }
 
@@ -96,7 +96,7 @@ class PlacementController : public QObject {
   /// Share of the focus's surface that the two cameras see, taken from the candidates nearest to them; empty until
   /// measured.
   std::optional<double> share() const;
-  /// The same of one label in focus: what C1, C2 and the two together see of its surface.
+  /// The shares of one focus label's surface that C1, C2 and the two together see.
   struct LabelShare {
     double c1 = 0.0, c2 = 0.0, both = 0.0;
   };
@@ -128,7 +128,7 @@ class PlacementController : public QObject {
   void measure(bool asked);
   void slice();
   void choose(bool framed, bool asked);
-  /// C2 flies to the best complement of where C1 is.
+  /// Flies C2 to the best complement of C1's direction.
   void follow();
   /// Without a direction C2 stays.
   void fly(glm::dvec3 c1, std::optional<glm::dvec3> c2, bool framed, bool asked);
@@ -136,10 +136,10 @@ class PlacementController : public QObject {
   Camera framing(glm::dvec3 direction);
   void fail(const std::exception& error);
 
-  /// What a pick leads to: two directions, or why there are none.
+  /// The answer to a pick: two directions, or why there are none.
   struct PickAnswer {
     glm::dvec3 pick{0.0};
-    std::shared_ptr<const Volume> volume;  ///< that it is about
+    std::shared_ptr<const Volume> volume;  ///< the volume that was picked in
     std::optional<glm::dvec3> c1, c2;
     std::string problem;
   };
@@ -156,7 +156,7 @@ class PlacementController : public QObject {
   std::optional<Subject> measuredSubject_;
   std::shared_ptr<const Volume> volume_;   ///< the volume at the last change of focus
   std::optional<Framing> visible_;         ///< the visible voxels, which a camera frames
-  std::optional<glm::dvec3> placedClick_;  ///< of the last region in focus that was grown
+  std::optional<glm::dvec3> placedClick_;  ///< where the last grown region in focus began
   ShownVolume visibleOf_;
   QString note_;
   QTimer chosen_;  ///< fires a moment after a focus was chosen
@@ -165,7 +165,7 @@ class PlacementController : public QObject {
   QTimer picked_;  ///< fires a moment after a pick
   glm::dvec3 pick_{0.0};
   QFutureWatcher<PickAnswer> rating_;
-  std::shared_ptr<std::atomic<bool>> goesOn_;  ///< of the rating under way, until its answer is shown
+  std::shared_ptr<std::atomic<bool>> goesOn_;  ///< false stops the rating; null once its answer is shown
   bool moves_ = true;                          ///< the cameras fly to the answer of the measurement under way
   bool asked_ = false;                         ///< the measurement under way was asked for by place()
 };

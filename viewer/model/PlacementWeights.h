@@ -12,7 +12,7 @@ namespace fenestra::viewer {
 struct PlacementWeight {
   const char* key;             ///< in the file of settings
   const char *name, *meaning;  ///< label and tool tip of its slider, to be translated for "PlacementForm"
-  double low, high, step;      ///< of the slider; files may hold other values
+  double low, high, step;      ///< the slider's range and step; files may hold other values
   double placement::Weights::*member;
 };
 

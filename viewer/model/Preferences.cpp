@@ -115,7 +115,7 @@ Look Preferences::startingLook(Look look) const {
   const int rgb = value(Preference::Background);
   look.background = glm::dvec3((rgb >> 16) & 255, (rgb >> 8) & 255, rgb & 255) / 255.0;
   look.cutaway.unit = wordsOf(WidthUnit{})[static_cast<std::size_t>(value(Preference::WidthUnit))].value;
-  // Without the terraces of coarse scans; scripts compare pictures and begin with the data as they are.
+  // Smooths the terraces of coarse scans. The command line does not, because scripts compare its pictures.
   look.reconstruction = Reconstruction::Auto;
   return look;
 }
@@ -179,7 +179,7 @@ Effort Preferences::atRest() const {
     effort.quality = static_cast<Quality>(quality);
   // The file may have been edited by hand: a value out of range counts as no bound.
   const double maxError = value(maxErrorKey, 0.0).toDouble();
-  constexpr double least = 0.05;  // as --max-error takes
+  constexpr double least = 0.05;  // the least that --max-error takes
   if (maxError >= least && maxError <= 255.0) effort.maxError = maxError;
   return effort;
 }

@@ -21,7 +21,7 @@
 
 namespace fenestra::viewer {
 
-/// What the settings dialog offers.
+/// The settings of the settings dialog.
 enum class Preference : std::uint8_t {
   LightTheme,
   AnimatedCameras,
@@ -35,17 +35,17 @@ enum class Preference : std::uint8_t {
 
 /// A preference's declaration: storage, the dialog and the defaults are made from preferenceTable().
 struct PreferenceEntry {
-  /// Colour: 0xRRGGBB. Choice: of the entries of `words`.
+  /// A colour is 0xRRGGBB; a choice is an index into `words`.
   enum class Kind : std::uint8_t { Switch, Number, Colour, Choice };
   Preference which;
   Kind kind = Kind::Switch;
   const char* key;          ///< in the file of settings
   const char* name;         ///< label in the dialog
   const char* description;  ///< tool tip
-  int otherwise = 0;        ///< default; of a switch, 0 or 1
+  int otherwise = 0;        ///< default; 0 or 1 for a switch
   int low = 0, high = 1;
   const char* unit = "";
-  std::vector<const char*> (*words)() = nullptr;  ///< as the dialog shows a choice
+  std::vector<const char*> (*words)() = nullptr;  ///< the names of a choice's entries
 };
 std::span<const PreferenceEntry> preferenceTable();
 
@@ -62,9 +62,9 @@ class Preferences : public QObject {
   int value(Preference which) const;
   bool isOn(Preference which) const { return value(which) != 0; }
   void set(Preference which, int value);
-  /// Of all in the table.
+  /// Sets every entry of the table to its default.
   void restoreDefaults();
-  /// How data without a session begin to be looked at: `look`, with the user's own defaults in it.
+  /// The look that data without a session is opened with: `look`, with the user's own defaults in it.
   Look startingLook(Look look) const;
 
   /// Latest first. Paths that no longer exist stay listed: they may lie on a disk that is not connected.

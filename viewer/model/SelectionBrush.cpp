@@ -8,11 +8,4 @@ void SelectionBrush::setSettings(const SelectionBrushSettings& settings) {
   Q_EMIT changed();
 }
 
-void SelectionBrush::setActive(bool on) {
-  if (on == active_) return;
-  active_ = on;
-  Q_EMIT changed();
-  Q_EMIT activeChanged(on);
-}
-
 }  // namespace fenestra::viewer

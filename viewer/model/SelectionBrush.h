@@ -1,9 +1,10 @@
 #pragma once
-// How the mouse paints the region in focus, the same in all views. The document holds the strokes.
+// How the mouse paints the region in focus, in all views alike. The document holds the strokes.
 
 #include <QObject>
 
 #include "rendering/scene/Settings.h"
+#include "viewer/model/StrokeMode.h"
 
 namespace fenestra::viewer {
 
@@ -37,24 +38,16 @@ inline constexpr std::tuple settingsOf<viewer::SelectionBrushSettings>{
 
 namespace fenestra::viewer {
 
-class SelectionBrush : public QObject {
+class SelectionBrush : public StrokeMode {
   Q_OBJECT
  public:
-  using QObject::QObject;
+  using StrokeMode::StrokeMode;
 
   const SelectionBrushSettings& settings() const { return settings_; }
   void setSettings(const SelectionBrushSettings& settings);
-  /// The left button paints in all views.
-  bool isActive() const { return active_; }
-  void setActive(bool on);
-
- Q_SIGNALS:
-  void changed();
-  void activeChanged(bool active);
 
  private:
   SelectionBrushSettings settings_;
-  bool active_ = false;
 };
 
 }  // namespace fenestra::viewer

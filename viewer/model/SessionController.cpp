@@ -144,7 +144,7 @@ void SessionController::save(const fs::path& file) {
     next_ = file;
     return;
   }
-  // What is done from now on is not in the file; should writing fail, nothing is.
+  // Steps that follow are not in the file. Should writing fail, finish() marks all steps as unsaved.
   parts_.document.undoStack().setClean();
   recovered_ = false;
   write(std::make_shared<const io::Session>(session()), file, false);
@@ -193,7 +193,7 @@ void SessionController::finish() {
   const Written written = writing_.result();
   parts_.document.noteContents(written.session);
   if (written.automatic) {
-    // A copy that cannot be written is tried again; the user's own save says what is wrong.
+    // A failed copy is tried again in silence; the user's own save reports the problem.
     if (!written.error.empty()) copied_.reset();
   } else {
     savedWell_ = written.error.empty();
@@ -261,7 +261,7 @@ std::vector<AbandonedSession> SessionController::abandonedIn(const fs::path& fol
 void SessionController::adopt(const AbandonedSession& abandoned) {
   autosaveFile_ = abandoned.file;
   lock_ = abandoned.lock;
-  // Labels beside the copy go when it goes.
+  // The labels beside the copy are removed with it.
   if (parts_.document.study().session.labels.path == labelsFile(abandoned.file)) parts_.document.noteLabelsFile(0, {});
 }
 

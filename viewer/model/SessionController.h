@@ -1,7 +1,7 @@
 #pragma once
-// The session of the window: what it is saved as, whether something is not saved yet, and copies saved by themselves in
-// case of a crash. What is to be written is gathered as a plain io::Session; a worker hashes the data and writes.
-// Labels that are in no file yet are written beside the session, as NAME.labels.nrrd.
+// The session of the window: its file, whether it has unsaved changes, and copies that are saved automatically in case
+// of a crash. A save gathers a plain io::Session; a worker hashes the data and writes. Labels that are in no file yet
+// are written beside the session, as NAME.labels.nrrd.
 
 #include <filesystem>
 #include <functional>
@@ -26,11 +26,11 @@ class SliceCursor;
 class ViewLink;
 class ViewOptions;
 
-/// A session that a run saved by itself and did not live to remove.
+/// A copy that a crashed run has left behind.
 struct AbandonedSession {
   std::filesystem::path file;
   QDateTime saved;
-  std::shared_ptr<QLockFile> lock;  ///< ours now, so that no other run offers it too
+  std::shared_ptr<QLockFile> lock;  ///< held, so that no other run offers the copy, too
 };
 
 class SessionController : public QObject {
@@ -50,12 +50,12 @@ class SessionController : public QObject {
   };
 
   SessionController(const Parts& parts, WindowPart window, QObject* parent = nullptr);
-  /// Waits for what is being written. The copy saved in case of a crash goes.
+  /// Waits for running saves, and removes the copy saved in case of a crash.
   ~SessionController() override;
 
   /// The session as it stands.
   io::Session session() const;
-  /// After a study was opened: the window becomes what the study's session says, if it has one.
+  /// To be called after a study was opened. Restores the window from the study's session, if it has one.
   void studyOpened();
 
   /// Where the session was opened from or saved to; empty before.
@@ -67,26 +67,26 @@ class SessionController : public QObject {
   /// Blocks until nothing is being written; false when the last save failed.
   bool waitUntilSaved();
 
-  /// From now on, what is modified is copied to `folder` every `milliseconds`. The folder is made when it is missing.
+  /// From now on, unsaved changes are copied to `folder` every `milliseconds`. The folder is made when it is missing.
   void startAutosave(const std::filesystem::path& folder, int milliseconds);
-  /// Copies now, if there is something new to copy. The pause that the window feels is that of gathering.
-  /// Drops the present copy, too.
+  /// Also drops the present copy.
   void stopAutosave();
+  /// Copies now, if there is something new to copy. Only gathering the session holds the window up.
   void autosave();
   /// Copies in `folder` whose run has ended without removing them, the latest first.
   static std::vector<AbandonedSession> abandonedIn(const std::filesystem::path& folder);
-  /// Goes on with such a copy as its own: it goes when this session is saved or given up.
+  /// Takes such a copy over: it is removed when this session is saved or given up.
   void adopt(const AbandonedSession& abandoned);
-  /// Removes the copy for the present session: what it holds was saved, or is not wanted.
+  /// Removes the present session's copy, because its contents were saved or discarded.
   void dropAutosave();
   /// Removes a copy and the labels beside it.
   static void removeCopy(const std::filesystem::path& file);
 
  Q_SIGNALS:
-  /// isModified() or file().
+  /// isModified() or file() has changed.
   void changed();
   void saved(const QString& file);
-  /// One line.
+  /// `message` is one line.
   void failed(const QString& message);
 
  private:
@@ -104,7 +104,7 @@ class SessionController : public QObject {
     std::string error;  ///< empty: written
   };
   void write(std::shared_ptr<const io::Session> session, const std::filesystem::path& file, bool automatic);
-  /// What has to be written beside `file`. A file of the user's own is not replaced.
+  /// The labels to be written beside `file`. The user's own files are never replaced.
   Labels labelsBeside(const std::filesystem::path& file, bool automatic) const;
   void finish();
 
@@ -116,14 +116,14 @@ class SessionController : public QObject {
   bool savedWell_ = true;
 
   QFutureWatcher<Written> writing_;
-  bool unfinished_ = false;                    ///< what was written is not acted upon yet
-  std::optional<std::filesystem::path> next_;  ///< to save to when the writer is free
+  bool unfinished_ = false;                    ///< finish() has not handled the last write yet
+  std::optional<std::filesystem::path> next_;  ///< where to save once the writer is free
 
   QTimer timer_;
   std::filesystem::path autosaveFolder_, autosaveFile_;
-  std::shared_ptr<QLockFile> lock_;            ///< of autosaveFile_
-  std::shared_ptr<const io::Session> copied_;  ///< what the copy holds, shared with its writer; null: no copy is known
-  std::uint64_t copiedRevision_ = 0;           ///< of the labels in copied_
+  std::shared_ptr<QLockFile> lock_;            ///< locks autosaveFile_
+  std::shared_ptr<const io::Session> copied_;  ///< the copy's contents, shared with its writer; null: no copy is known
+  std::uint64_t copiedRevision_ = 0;           ///< revision of the labels in copied_
 };
 
 }  // namespace fenestra::viewer

@@ -10,7 +10,7 @@
 
 namespace fenestra::viewer {
 
-/// Of a declaration or a word.
+/// A text of a setting's declaration or of a word.
 inline QString translated(const char* text) {
   return *text ? QCoreApplication::translate("Settings", text) : QString();
 }

@@ -19,7 +19,7 @@ struct Bins {
   double width;
 
   std::size_t count() const { return empty.counts.size(); }
-  /// Of a finite value; the first one past the last for others.
+  /// The bin of a finite value; count() for others.
   std::size_t binOf(double value) const {
     const double bin = std::floor((value - empty.values.low) / width);
     return bin >= 0.0 && bin < static_cast<double>(count()) ? static_cast<std::size_t>(bin) : count();
@@ -63,7 +63,7 @@ ValueHistogram histogramOf(const Volume& volume) {
   const Bins bins = binsOf(volume);
   ValueHistogram result = bins.empty;
   volume.voxels.visit([&](auto scalars) {
-    // An odd stride does not fall into step with rows whose length is a power of two.
+    // Odd, or with rows of a power of two it would sample the same columns over and over.
     const std::size_t stride = (scalars.size() >> 18) | 1;
     for (std::size_t i = 0; i < scalars.size(); i += stride)
       if (const std::size_t bin = bins.binOf(volume.slope * static_cast<double>(scalars[i]) + volume.intercept);

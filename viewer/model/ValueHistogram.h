@@ -9,8 +9,8 @@
 
 namespace fenestra::viewer {
 
-/// Bins of equal width from `values.low` on. Of whole numbers a bin holds as many as any other, so that none is empty
-/// by its place alone.
+/// Bins of equal width from `values.low` on. Where values are whole numbers, every bin spans equally many of them, so
+/// that no bin is empty only because of where it lies.
 struct ValueHistogram {
   ValueRange values;  ///< real values from the first bin's lower to the last bin's upper end
   std::vector<std::uint32_t> counts;
@@ -19,10 +19,11 @@ struct ValueHistogram {
   double density(ValueRange range) const;
 };
 
-/// From evenly spaced voxels, a quarter of a million of them: their curve is that of all voxels, and they take a few
+/// Counts a quarter of a million evenly spaced voxels: their curve is that of all voxels, and they take a few
 /// milliseconds.
 ValueHistogram histogramOf(const Volume& volume);
-/// Of the voxels of one label, all of them, in the same bins; `labels` is on the volume's grid. Runs on all cores.
+/// Counts all voxels of one label, in the bins of the whole volume's histogram; `labels` is on the volume's grid. Runs
+/// on all cores.
 ValueHistogram histogramOf(const Volume& volume, const LabelMap& labels, std::uint16_t label);
 /// Values below which `share` of the counted voxels lie, and above which as many do; the histogram's ends where none
 /// is.

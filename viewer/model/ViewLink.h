@@ -50,7 +50,7 @@ class ViewLink : public QObject {
   /// Ends a flight where it leads to.
   void finishFlight();
   bool isAnimated() const { return animated_; }
-  /// Off: flights end at once, one under way too.
+  /// Off: flights end at once, also one that is under way.
   void setAnimated(bool animated);
   bool isFlying() const { return flight_.state() == QAbstractAnimation::Running; }
 

@@ -1,5 +1,5 @@
 #pragma once
-// What is drawn over the pictures and what a click on them does, the same in all views.
+// What is drawn over the pictures and what a click on them does, in all views alike.
 
 #include <QObject>
 
@@ -16,7 +16,7 @@ class ViewOptions : public QObject {
   bool measures() const { return measures_; }          ///< drawn on the slices
   bool grows() const { return grows_; }                ///< a click grows a region where there is no label
   bool hidesPatient() const { return hidesPatient_; }  ///< no patient or study anywhere in the window
-  bool clipHandles() const { return clipHandles_; }    ///< of the crop box and clip planes, to be dragged
+  bool clipHandles() const { return clipHandles_; }    ///< the crop box and clip planes have handles to drag
   void setCrosshair(bool on) { set(crosshair_, on); }
   void setText(bool on) { set(text_, on); }
   void setLabels(bool on) { set(labels_, on); }

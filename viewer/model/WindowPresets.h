@@ -13,7 +13,7 @@ struct WindowPreset {
   WindowLevel window;  ///< HU
 };
 
-/// The same keys and figures as in Weasis and OsiriX-like viewers.
+/// Keys and figures of Weasis and OsiriX-like viewers.
 inline constexpr std::array<WindowPreset, 5> ctWindowPresets{{
     {3, "Brain", {110.0, 35.0}},
     {4, "Abdomen", {320.0, 50.0}},

@@ -1,6 +1,7 @@
 #pragma once
 // The models of one window: the open study, and how it is viewed and edited.
 
+#include "viewer/model/ActiveTool.h"
 #include "viewer/model/Brush.h"
 #include "viewer/model/Carving.h"
 #include "viewer/model/Document.h"
@@ -26,6 +27,7 @@ struct Workspace {
   Brush brush;
   Carving carving{document};
   SelectionBrush selection;
+  ActiveTool tool{{&brush, &carving, &selection}};
   MeasureMode measuring{document};
   Preferences preferences;
   LookLibrary looks{preferences.looksFolder()};

@@ -21,6 +21,22 @@ AppearancePanel::AppearancePanel(Document& document, LookLibrary& library, QWidg
       table_(new QCheckBox(translated(settingOf(&Look::hideTable).name))) {
   shift_->setToolTip(translated(settingOf(&ContextFunction::shift).description));
 
+  layOut();
+  makeDragsSteps(*shift_, document.history());
+  connect(shift_, &SliderSpin::edited, &document, &Document::setShift);
+  connect(table_, &QCheckBox::clicked, &document, [this](bool hide) {
+    Look look = document_.look();
+    look.hideTable = hide;
+    document_.edit(table_->text(), std::move(look));
+  });
+  connect(&document, &Document::transferFunctionChanged, this, &AppearancePanel::show);
+  connect(&document, &Document::sceneChanged, this, &AppearancePanel::showSettings);
+  connect(&document, &Document::shadingChanged, this, [this] { light_.show(); });
+  connect(&document, &Document::volumeChanged, this, &AppearancePanel::fitToVolume);
+  show();
+}
+
+void AppearancePanel::layOut() {
   auto* presets = new QFormLayout;
   presets->addRow(tr("Preset"), presets_);
   presets->addRow(translated(settingOf(&ContextFunction::shift).name), shift_);
@@ -50,29 +66,18 @@ AppearancePanel::AppearancePanel(Document& document, LookLibrary& library, QWidg
   column->addWidget(editor_);
   column->addLayout(form);
   setBody(body);
+}
 
-  makeDragsSteps(*shift_, document.history());
-  connect(shift_, &SliderSpin::edited, &document, &Document::setShift);
-  connect(table_, &QCheckBox::clicked, &document, [this](bool hide) {
-    Look look = document_.look();
-    look.hideTable = hide;
-    document_.edit(table_->text(), std::move(look));
-  });
-  connect(&document, &Document::transferFunctionChanged, this, &AppearancePanel::show);
-  connect(&document, &Document::sceneChanged, this, &AppearancePanel::showSettings);
-  connect(&document, &Document::shadingChanged, this, [this] { light_.show(); });
-  connect(&document, &Document::volumeChanged, this, [this] {
-    const Volume& volume = *document_.scene().volume;
-    // Only a volume with a table can be shown without.
-    const Scene& scene = document_.scene();
-    table_->setVisible(scene.table && scene.table->count > 0);
-    // A quarter of the range either way; for CT ±500 HU, which separate lung, soft tissue and bone.
-    const double span = volume.isInHounsfieldUnits() ? 500.0 : 0.25 * (volume.range.high - volume.range.low);
-    const double step = std::pow(10.0, std::floor(std::log10(std::max(span, 1e-9) / 200.0)));
-    shift_->setRange(-std::ceil(span / step) * step, std::ceil(span / step) * step, step);
-    shift_->setSuffix(volume.unit.empty() ? QString() : QStringLiteral(" ") + QString::fromStdString(volume.unit));
-  });
-  show();
+void AppearancePanel::fitToVolume() {
+  const Volume& volume = *document_.scene().volume;
+  // Only a volume with a table can be shown without.
+  const Scene& scene = document_.scene();
+  table_->setVisible(scene.table && scene.table->count > 0);
+  // A quarter of the range either way; for CT ±500 HU, which separate lung, soft tissue and bone.
+  const double span = volume.isInHounsfieldUnits() ? 500.0 : 0.25 * (volume.range.high - volume.range.low);
+  const double step = std::pow(10.0, std::floor(std::log10(std::max(span, 1e-9) / 200.0)));
+  shift_->setRange(-std::ceil(span / step) * step, std::ceil(span / step) * step, step);
+  shift_->setSuffix(volume.unit.empty() ? QString() : QStringLiteral(" ") + QString::fromStdString(volume.unit));
 }
 
 void AppearancePanel::show() {

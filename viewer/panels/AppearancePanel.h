@@ -26,9 +26,11 @@ class AppearancePanel : public ScrollingPanel {
   QCheckBox* hidesTable() const { return table_; }
 
  private:
+  void layOut();
+  void fitToVolume();
   void show();
 
-  // Controls for settings of the look itself; showSettings() shows what it says.
+  // Controls for settings of the look itself; showSettings() updates them.
   template <class E>
   QComboBox* makeChoice(E Look::*member);
   ColourButton* makeColour(glm::dvec3 Look::*member);

@@ -5,6 +5,7 @@
 #include <QHBoxLayout>
 #include <QVBoxLayout>
 
+#include "viewer/model/Brush.h"
 #include "viewer/model/Document.h"
 #include "viewer/model/Translation.h"
 #include "viewer/panels/SliderSpin.h"

@@ -22,6 +22,21 @@ CarvingRows::CarvingRows(Document& document, Carving& carving, QWidget* parent)
       size_(new SliderSpin(settingOf(&CarvingSettings::size))),
       softness_(new SliderSpin(settingOf(&CarvingSettings::softness))),
       depth_(new SliderSpin(settingOf(&CarvingSettings::depth))) {
+  layOut();
+  connect(carve_, &QToolButton::clicked, &carving_, &Carving::setActive);
+  connect(restore_, &QToolButton::clicked, this, [this] { document_.setRemovals({}, tr("Restore all")); });
+  connect(shape_, &QComboBox::activated, this, [this](int which) {
+    CarvingSettings settings = carving_.settings();
+    settings.shape = wordsOf(RemovalShape{})[static_cast<std::size_t>(which)].value;
+    carving_.setSettings(settings);
+  });
+  connect(&carving_, &Carving::changed, this, &CarvingRows::show);
+  connect(&document_, &Document::removalsChanged, this, &CarvingRows::show);
+  connect(&document_, &Document::cutawayChanged, this, &CarvingRows::followMethod);
+  show();
+}
+
+void CarvingRows::layOut() {
   carve_->setText(tr("Carve"));
   carve_->setCheckable(true);
   carve_->setObjectName(QStringLiteral("choice"));
@@ -53,27 +68,17 @@ CarvingRows::CarvingRows(Document& document, Carving& carving, QWidget* parent)
   add(size_, &CarvingSettings::size);
   add(softness_, &CarvingSettings::softness);
   add(depth_, &CarvingSettings::depth);
+}
 
-  connect(carve_, &QToolButton::clicked, &carving_, &Carving::setActive);
-  connect(restore_, &QToolButton::clicked, this, [this] { document_.setRemovals({}, tr("Restore all")); });
-  connect(shape_, &QComboBox::activated, this, [this](int which) {
-    CarvingSettings settings = carving_.settings();
-    settings.shape = wordsOf(RemovalShape{})[static_cast<std::size_t>(which)].value;
-    carving_.setSettings(settings);
-  });
-  connect(&carving_, &Carving::changed, this, &CarvingRows::show);
-  connect(&document_, &Document::removalsChanged, this, &CarvingRows::show);
-  connect(&document_, &Document::cutawayChanged, this, [this] {
-    // The method says which tool is likely to be wanted.
-    const MethodKind kind = document_.look().method.kind;
-    if (std::exchange(method_, kind) == kind) return;
-    CarvingSettings settings = carving_.settings();
-    const bool bends = settings.shape == RemovalShape::Plane;
-    if (kind == MethodKind::Bend) settings.shape = RemovalShape::Plane;
-    if (kind == MethodKind::Sculpt && bends) settings.shape = RemovalShape::Ball;
-    carving_.setSettings(settings);
-  });
-  show();
+void CarvingRows::followMethod() {
+  // The user most likely wants the method's own shape.
+  const MethodKind kind = document_.look().method.kind;
+  if (std::exchange(method_, kind) == kind) return;
+  CarvingSettings settings = carving_.settings();
+  const bool bends = settings.shape == RemovalShape::Plane;
+  if (kind == MethodKind::Bend) settings.shape = RemovalShape::Plane;
+  if (kind == MethodKind::Sculpt && bends) settings.shape = RemovalShape::Ball;
+  carving_.setSettings(settings);
 }
 
 void CarvingRows::show() {

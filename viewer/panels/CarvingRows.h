@@ -1,5 +1,5 @@
 #pragma once
-// How the mouse carves, and what takes back all that was removed: rows of the Cutaway panel.
+// How the mouse carves, and a button that restores everything: rows of the Cutaway panel.
 
 #include <QComboBox>
 #include <QToolButton>
@@ -23,11 +23,14 @@ class CarvingRows : public QWidget {
   QComboBox* shape() const { return shape_; }
 
  private:
+  void layOut();
+  /// Chooses the shape that suits another method.
+  void followMethod();
   void show();
 
   Document& document_;
   Carving& carving_;
-  MethodKind method_;  ///< that the shape was last chosen for
+  MethodKind method_;  ///< the method that the shape was last chosen for
   QToolButton *carve_, *restore_;
   QComboBox* shape_;
   SliderSpin *size_, *softness_, *depth_;

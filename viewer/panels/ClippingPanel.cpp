@@ -179,7 +179,7 @@ void ClippingPanel::setEnd(int axis, int side, double value) {
     else
       high = std::max(value, low + least);
   });
-  showBox();  // the box may hold less than was typed
+  showBox();  // the box may be smaller than typed
 }
 
 void ClippingPanel::addPlane(const HalfSpace& plane) {

@@ -80,29 +80,31 @@ CutawayPanel::CutawayPanel(Document& document, Carving& carving, QWidget* parent
       look_(new QComboBox),
       unit_(controls_.choice(&Cutaway::unit)),
       colour_(controls_.colour(&Cutaway::borderColour)) {
-  for (const OpeningLook& look : openingLooks()) look_->addItem(translated(look.name));
-  look_->setPlaceholderText(tr("own"));
-  look_->setToolTip(tr("Ready-made border and context edges"));
-
-  QFormLayout* form = form_;
-  const auto name = [](const auto& setting) { return translated(setting.name); };
-  form->addRow(enabled_);
-  addMethod(*form);
-  form->addRow(name(settingOf(&Cutaway::openWidth)), openWidth_);
-  auto* border = new QHBoxLayout;
-  border->addWidget(borderWidth_, 1);
-  border->addWidget(colour_);
-  form->addRow(name(settingOf(&Cutaway::borderWidth)), border);
-  axis_->addWidget(axisOffset_, 1);
-  axis_->addWidget(axisDirection_);
-  form->addRow(name(settingOf(&Cutaway::axisOffset)), axis_);
-  form->addRow(tr("Look"), look_);
-  form->addRow(name(settingOf(&Cutaway::unit)), unit_);
-
+  layOut();
   connect(look_, &QComboBox::activated, this, &CutawayPanel::apply);
   connect(&document, &Document::cutawayChanged, this, &CutawayPanel::show);
   connect(&document, &Document::volumeChanged, this, &CutawayPanel::show);
   show();
+}
+
+void CutawayPanel::layOut() {
+  for (const OpeningLook& look : openingLooks()) look_->addItem(translated(look.name));
+  look_->setPlaceholderText(tr("own"));
+  look_->setToolTip(tr("Ready-made border and context edges"));
+
+  const auto name = [](const auto& setting) { return translated(setting.name); };
+  form_->addRow(enabled_);
+  addMethod(*form_);
+  form_->addRow(name(settingOf(&Cutaway::openWidth)), openWidth_);
+  auto* border = new QHBoxLayout;
+  border->addWidget(borderWidth_, 1);
+  border->addWidget(colour_);
+  form_->addRow(name(settingOf(&Cutaway::borderWidth)), border);
+  axis_->addWidget(axisOffset_, 1);
+  axis_->addWidget(axisDirection_);
+  form_->addRow(name(settingOf(&Cutaway::axisOffset)), axis_);
+  form_->addRow(tr("Look"), look_);
+  form_->addRow(name(settingOf(&Cutaway::unit)), unit_);
 }
 
 void CutawayPanel::apply(int openingLook) {

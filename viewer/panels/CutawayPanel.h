@@ -22,6 +22,7 @@ class CutawayPanel : public QWidget {
   void addFreeze(QAction* freeze);
 
  private:
+  void layOut();
   void apply(int openingLook);
   void addMethod(QFormLayout& form);
   void show();

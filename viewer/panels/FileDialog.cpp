@@ -18,9 +18,8 @@ QUrl lastPrivate;  ///< the folder that a private dialog ended in
 
 QString qtSettingsFile() { return QSettings(QSettings::UserScope, QStringLiteral("QtProject")).fileName(); }
 
-/// While this lives and dialogs are private, Qt reads and writes the history of its file dialogs in a folder that is
-/// deleted then. Qt writes it when a dialog ends, and remembers the last folder for the next one: that is set back,
-/// too.
+/// While this lives and dialogs are private, Qt keeps the history of its file dialogs in a folder that this deletes at
+/// its end. Qt also remembers the last folder for the next dialog; this sets it back.
 class NoTraces {
  public:
   NoTraces() {

@@ -16,7 +16,7 @@ namespace fenestra::viewer {
 
 struct FileQuestion {
   QString title;
-  QString kinds{};   ///< as "Sessions (*.fenestra);;All files (*)"; empty: all files
+  QString kinds{};   ///< such as "Sessions (*.fenestra);;All files (*)"; empty: all files
   QString folder{};  ///< where the dialog begins; empty: in the folder chosen last
 };
 
@@ -24,7 +24,7 @@ struct FileQuestion {
 std::optional<std::filesystem::path> askForFile(QWidget* parent, const FileQuestion& question);
 std::optional<std::filesystem::path> askForFolder(QWidget* parent, const FileQuestion& question);
 
-/// What a dialog offers to write: a name for the kind of file, and its ending, as ".nii.gz".
+/// A kind of file that a dialog offers to write: its name, and its ending, such as ".nii.gz".
 struct FileKind {
   QString name, ending;
 };
@@ -37,7 +37,7 @@ struct NewFile {
 std::optional<NewFile> askForNewFile(QWidget* parent, const QString& title, const QList<FileKind>& kinds,
                                      const QString& suggested = {});
 
-/// For all dialogs of the process, as Qt's history is.
+/// Applies to all dialogs of the process, as Qt's history does.
 void setFileDialogsPrivate(bool isPrivate);
 
 }  // namespace fenestra::viewer

@@ -48,19 +48,6 @@ FocusPanel::FocusPanel(Document& document, const PlacementController& placement,
   filter_->setPlaceholderText(tr("Find a structure"));
   filter_->setClearButtonEnabled(true);
 
-  byValue_->setToolTip(tr("The focus is everything whose value lies in this range"));
-  auto* range = new QHBoxLayout;
-  range->addWidget(low_, 1);
-  range->addWidget(new QLabel(tr("to")));
-  range->addWidget(high_, 1);
-  for (QDoubleSpinBox* box : {low_, high_}) {
-    box->setKeyboardTracking(false);
-    box->setAlignment(Qt::AlignRight);
-    connect(box, &QDoubleSpinBox::valueChanged, this, [this] {
-      if (byValue_->isChecked()) applyRange();
-    });
-  }
-
   makeIslandsRow();
   makePainting();
   auto* column = new QVBoxLayout(this);
@@ -73,7 +60,7 @@ FocusPanel::FocusPanel(Document& document, const PlacementController& placement,
   column->addWidget(painting_);
   column->addWidget(region_);
   column->addWidget(byValue_);
-  column->addLayout(range);
+  column->addLayout(makeRange());
   column->addWidget(islandsRow_);
   column->addStretch(0);
 
@@ -87,16 +74,32 @@ FocusPanel::FocusPanel(Document& document, const PlacementController& placement,
   connect(&cameras, &ViewLink::changed, this, [this] {
     if (list_->isVisible()) list_->labels().refreshSeen();
   });
+  connect(&document, &Document::volumeChanged, this, &FocusPanel::showStudy);
+  connect(&document, &Document::labelsChanged, this, &FocusPanel::showStudy);
+  connect(&document, &Document::focusChanged, this, &FocusPanel::showFocus);
+  showStudy();
+}
+
+QLayout* FocusPanel::makeRange() {
+  byValue_->setToolTip(tr("The focus is everything whose value lies in this range"));
+  auto* range = new QHBoxLayout;
+  range->addWidget(low_, 1);
+  range->addWidget(new QLabel(tr("to")));
+  range->addWidget(high_, 1);
+  for (QDoubleSpinBox* box : {low_, high_}) {
+    box->setKeyboardTracking(false);
+    box->setAlignment(Qt::AlignRight);
+    connect(box, &QDoubleSpinBox::valueChanged, this, [this] {
+      if (byValue_->isChecked()) applyRange();
+    });
+  }
   connect(byValue_, &QCheckBox::clicked, this, [this](bool on) {
     if (on)
       applyRange();
     else
       document_.setFocus(std::monostate{});
   });
-  connect(&document, &Document::volumeChanged, this, &FocusPanel::showStudy);
-  connect(&document, &Document::labelsChanged, this, &FocusPanel::showStudy);
-  connect(&document, &Document::focusChanged, this, &FocusPanel::showFocus);
-  showStudy();
+  return range;
 }
 
 void FocusPanel::makeIslandsRow() {
@@ -165,7 +168,7 @@ void FocusPanel::showStudy() {
     box->setSuffix(suffix);
   }
   const QSignalBlocker quietLow(low_), quietHigh(high_);
-  // To start from: bone where the data has some, otherwise the upper quarter of the range.
+  // A range to start from: bone where the data has some, otherwise the upper quarter of the values.
   constexpr double bone = 300.0;  // HU
   const bool holdsBone = volume.isInHounsfieldUnits() && volume.range.high > 2.0 * bone;
   low_->setValue(holdsBone ? bone : volume.range.high - 0.25 * span);

@@ -42,6 +42,8 @@ class FocusPanel : public QWidget {
   void structureChosen();
 
  private:
+  /// The ends of a range of values, which the check box above makes the focus.
+  QLayout* makeRange();
   void makeIslandsRow();
   /// The button that takes up the region's brush, and below it the brush's rows.
   void makePainting();

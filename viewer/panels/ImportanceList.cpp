@@ -16,7 +16,7 @@
 namespace fenestra::viewer {
 namespace {
 
-constexpr int mostRows = 3;  // in sight; the panel never scrolls and leaves the others their height
+constexpr int mostRows = 3;  // in sight; the panel never scrolls, and the other panels need their height
 
 int levelOf(const Document& document, std::uint16_t label) {
   return document.labelSetting(label).importance.value_or(document.isFocused(label) ? mostImportant : 0);
@@ -69,7 +69,7 @@ void ImportanceList::show() {
   if (document_.labels())
     for (const Label& label : document_.labels()->labels)
       (document_.isFocused(label.value) || levelOf(document_, label.value) > 0 ? listed : others).push_back(&label);
-  // Boxes of the same labels stay: one of them may be what the user turns.
+  // Boxes stay while the labels do: the user may be turning one of them.
   const auto labelOf = [this](int row) { return table_->item(row, 0)->data(Qt::UserRole).toUInt(); };
   bool same = table_->rowCount() == static_cast<int>(listed.size());
   for (int row = 0; same && row < table_->rowCount(); ++row)
@@ -86,7 +86,7 @@ void ImportanceList::show() {
       box->setRange(0, mostImportant);
       box->setFrame(false);
       table_->setCellWidget(row, 1, box);
-      // Queued: at level 0 the box goes.
+      // Queued, because level 0 deletes the box.
       connect(
           box, &QSpinBox::valueChanged, this, [this, value = label.value](int level) { setLevel(value, level); },
           Qt::QueuedConnection);

@@ -23,7 +23,7 @@ class ImportanceList : public QWidget {
 
  private:
   void show();
-  /// A level that the label has anyway is not kept.
+  /// A level that the label would have without a setting is not stored.
   void setLevel(std::uint16_t label, int level);
 
   Document& document_;

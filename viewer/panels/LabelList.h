@@ -1,5 +1,5 @@
 #pragma once
-// The list of labels, and what a click on each of its columns does.
+// The list of labels; a click on a column changes it.
 
 #include <QTreeView>
 
@@ -21,7 +21,7 @@ class LabelList : public QTreeView {
   std::uint16_t labelAt(const QModelIndex& row) const;
   /// Shows the rows whose name holds all words of the text.
   void filter(const QString& text);
-  /// What stands in place of the rows where the filter leaves none; else empty.
+  /// The text shown where the filter leaves no row; else empty.
   QString emptyText() const;
   void scrollToLabel(std::uint16_t label);
   bool isEmpty() const;

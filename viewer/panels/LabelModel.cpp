@@ -56,7 +56,7 @@ LabelModel::LabelModel(Document& document, const PlacementController& placement,
 void LabelModel::readLabels() {
   present_.clear();
   absent_.clear();
-  counting_.setFuture({});  // of another map
+  counting_.setFuture({});  // drops the answer for another map
   listed_ = document_.labels();
   if (!listed_) return;
   // A map of up to this many voxels is read within a few milliseconds. The labels of a larger one are all listed first.
@@ -208,7 +208,7 @@ bool LabelModel::setData(const QModelIndex& index, const QVariant& value, int ro
   if (index.column() == Name && role == Qt::EditRole) {
     const QString name = value.toString().simplified();
     if (name.isEmpty()) return false;
-    // Once the editor is closed: new labels reset the model.
+    // Later, once the editor is closed: new labels reset the model.
     QMetaObject::invokeMethod(
         this, [this, which, name] { document_.renameLabel(which, name); }, Qt::QueuedConnection);
     return true;

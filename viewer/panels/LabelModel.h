@@ -29,33 +29,33 @@ class LabelModel : public QAbstractItemModel {
   int columnCount(const QModelIndex& parent = {}) const override;
   QVariant data(const QModelIndex& index, int role) const override;
   QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
-  /// Of Name the tick and the name, of Colour a QColor, of Opacity whole percents.
+  /// Takes the tick and the name in column Name, a QColor in Colour, and whole percents in Opacity.
   bool setData(const QModelIndex& index, const QVariant& value, int role) override;
   Qt::ItemFlags flags(const QModelIndex& index) const override;
   /// The label's value; 0 for the row of labels without voxels, and for an invalid index.
   std::uint16_t label(const QModelIndex& index) const;
   /// The row of labels without voxels; invalid where there are none.
   QModelIndex absentRow() const;
-  /// What the cameras see of the labels in focus may have changed.
+  /// To be called when the cameras may see more or less of the labels in focus.
   void refreshSeen();
 
  private:
   void readLabels();
-  /// Parts the labels of `listed_` into those with voxels and those without.
+  /// Splits the labels of `listed_` into those with voxels and those without.
   void part(const std::vector<bool>& present);
   QVariant nameData(std::size_t label, int role) const;
   QVariant settingData(std::size_t label, int column, int role) const;
   QVariant seenData(std::size_t label, int role) const;
   void refresh(int first, int last, const QList<int>& roles);
-  /// Place in the label map's list, of a row of a label.
+  /// The place in the label map's list of a label's row.
   std::size_t at(const QModelIndex& index) const;
   bool isAbsentRow(const QModelIndex& index) const;
 
   Document& document_;
   const PlacementController& placement_;
-  /// A new study's labels are listed a moment after it is there: until then rows are those of the old one.
+  /// The map whose labels are listed. A new study's labels replace them only a moment after it is open.
   std::shared_ptr<const LabelMap> listed_;
-  QFutureWatcher<std::vector<bool>> counting_;  ///< of listed_, behind the window
+  QFutureWatcher<std::vector<bool>> counting_;  ///< finds which labels of listed_ have voxels, in the background
   std::vector<std::size_t> present_, absent_;   ///< places in the label map's list
 };
 

@@ -81,7 +81,7 @@ class LookControls {
     return control;
   }
 
-  /// Shows what the document's look says.
+  /// Shows the values of the document's look.
   void show() const {
     for (const auto& show : shows_) show(document_.look().*part_);
   }

@@ -26,7 +26,7 @@ namespace {
 // Device-independent pixels: in the open list, and beside the name of what is shown.
 constexpr QSize pictureSize(64, 56), smallSize(22, 19);
 
-/// What a row stands for: the id or path that Document::setPreset takes, or the name of a user's preset.
+/// A row's choice: the id or path that Document::setPreset takes, or the name of a user's preset.
 enum Role : int { Function = Qt::UserRole, Preset, HasPicture };
 
 }  // namespace
@@ -91,7 +91,7 @@ PresetPicker::PresetPicker(Document& document, LookLibrary& library, QWidget* pa
       menu_(new QMenu(this)),
       questions_(presetDialogs(this)) {
   box_->setIconSize(smallSize);
-  box_->setItemDelegate(new QStyledItemDelegate(box_));  // that of a menu has small icons
+  box_->setItemDelegate(new QStyledItemDelegate(box_));  // a menu's delegate draws small icons
   box_->view()->setIconSize(pictureSize);
   box_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   box_->setPlaceholderText(tr("Edited"));
@@ -120,7 +120,7 @@ PresetPicker::PresetPicker(Document& document, LookLibrary& library, QWidget* pa
 void PresetPicker::list() {
   const QSignalBlocker quiet(box_);
   const auto presets = io::transferFunctionPresets();
-  // Pictures of the user's presets may be of what they were before.
+  // A user's preset may have changed since its picture was drawn.
   std::vector<QIcon> pictures(presets.size());
   for (std::size_t row = 0; row < presets.size(); ++row)
     if (box_->itemData(static_cast<int>(row), HasPicture).toBool())
@@ -142,10 +142,10 @@ void PresetPicker::show() {
   int row = -1;
   if (document_.hasVolume()) {
     const QString function = QString::fromStdString(document_.preset());
-    // What is a preset's function goes by that; otherwise by the preset of the whole look that it is.
+    // The function's own preset or file, if it is listed; otherwise the user's preset that the whole look equals.
     if (!function.isEmpty()) row = box_->findData(function, Function);
     if (const auto& entries = library_.entries(); row < 0 && !entries.empty()) {
-      // What was made from a built-in function or file shows as that.
+      // Without the names of the function's preset and file, which the user's presets do not hold.
       SetScene nameless = document_.study().scene;
       nameless.look.context = styleOf(nameless.look).context;
       const auto same = std::find_if(entries.begin(), entries.end(), [&](const auto& each) {

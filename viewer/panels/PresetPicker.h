@@ -61,10 +61,10 @@ class PresetPicker : public QWidget {
   bool hasAllPictures() const;
   QMenu* menu() const { return menu_; }
   PresetQuestions& questions() { return questions_; }
-  /// Draws the pictures of the list; null: it has none. It outlives this, or is taken away first.
+  /// Draws the pictures of the list; null: the list has none. It outlives this, or is set to null first.
   void setBackend(PreviewBackend* backend) { backend_ = backend; }
 
-  /// What the menu's entries do. Each asks what it needs to know.
+  /// The commands of the menu. Each asks the user for what it needs.
   void keepLook();
   void importPreset();
   void exportPreset();
@@ -73,7 +73,7 @@ class PresetPicker : public QWidget {
 
  Q_SIGNALS:
   void failed(const QString& message);
-  /// Something is odd about what was chosen.
+  /// The chosen preset or file has a problem that does not keep it from being used.
   void warned(const QString& message);
 
  private:
@@ -86,7 +86,7 @@ class PresetPicker : public QWidget {
   void fillMenu();
   /// The name of the user's preset that is shown, or an empty text.
   QString shownPreset() const;
-  /// Runs `work`, and reports what it throws.
+  /// Runs `work`, and reports an exception.
   void attempt(const std::function<void()>& work);
 
   Document& document_;

@@ -50,7 +50,7 @@ class RegionPanel : public QWidget {
   ColourButton* colour_;
   QPushButton* keep_;
   glm::dvec3 chosenColour_{0.0};
-  bool hasChosenColour_ = false;  ///< since the last region was kept
+  bool hasChosenColour_ = false;  ///< the user chose it since the last region was kept
 };
 
 }  // namespace fenestra::viewer

@@ -14,7 +14,7 @@ class ScrollingPanel : public QScrollArea {
   void setBody(QWidget* body);
 
   QSize sizeHint() const override;
-  /// As wide as its contents need, and a few rows high.
+  /// Its contents' width, and a few rows' height.
   QSize minimumSizeHint() const override;
 
  protected:

@@ -41,7 +41,7 @@ class SphereMap : public QWidget {
 
   ViewLink& cameras_;
   PlacementController& placement_;
-  QImage picture_;            ///< of the ellipse's box
+  QImage picture_;            ///< fills the ellipse's box
   std::vector<int> nearest_;  ///< nearest candidate of each pixel of picture_
 };
 

@@ -32,6 +32,13 @@ TransferFunctionEditor::TransferFunctionEditor(Document& document, const LookLib
       functionWhich_([this] {
         return askForFile(this, {tr("Open a transfer function"), tr("Transfer functions (*.json)")});
       }) {
+  setUpControls();
+  layOut();
+  showTargets();
+  showNode();
+}
+
+void TransferFunctionEditor::setUpControls() {
   targets_->setToolTip(tr("What the plot shows and edits"));
   targets_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   targets_->setMinimumContentsLength(5);
@@ -59,6 +66,25 @@ TransferFunctionEditor::TransferFunctionEditor(Document& document, const LookLib
   presets_->setPopupMode(QToolButton::InstantPopup);
   presets_->setFocusPolicy(Qt::StrongFocus);
   presets_->setMenu(new QMenu(this));
+  connect(presets_->menu(), &QMenu::aboutToShow, this, &TransferFunctionEditor::fillPresets);
+  connect(targets_, &QComboBox::activated, this,
+          [this](int row) { plot_->setTarget(listed_.at(static_cast<std::size_t>(row))); });
+  connect(byValue_, &QCheckBox::clicked, plot_, &TransferFunctionPlot::setByValue);
+  connect(value_, &QDoubleSpinBox::valueChanged, plot_, &TransferFunctionPlot::setValue);
+  connect(opacity_, &QDoubleSpinBox::valueChanged, plot_,
+          [this](double percent) { plot_->setOpacity(0.01 * percent); });
+  connect(colour_, &ColourButton::edited, plot_, &TransferFunctionPlot::setColour);
+  connect(plot_, &TransferFunctionPlot::colourWanted, colour_, [this] {
+    if (colour_->isEnabled()) colour_->click();
+  });
+  connect(&document_, &Document::volumeChanged, this, &TransferFunctionEditor::fitToVolume);
+  connect(plot_, &TransferFunctionPlot::changed, this, [this] {
+    showTargets();
+    showNode();
+  });
+}
+
+void TransferFunctionEditor::layOut() {
   auto* point = new QHBoxLayout;
   point->addWidget(onlyContext_);
   point->addWidget(targets_, 2);
@@ -73,25 +99,6 @@ TransferFunctionEditor::TransferFunctionEditor(Document& document, const LookLib
   values->addWidget(byValue_, 1);
   values->addWidget(presets_);
   column->addLayout(values);
-
-  connect(presets_->menu(), &QMenu::aboutToShow, this, &TransferFunctionEditor::fillPresets);
-  connect(targets_, &QComboBox::activated, this,
-          [this](int row) { plot_->setTarget(listed_.at(static_cast<std::size_t>(row))); });
-  connect(byValue_, &QCheckBox::clicked, plot_, &TransferFunctionPlot::setByValue);
-  connect(value_, &QDoubleSpinBox::valueChanged, plot_, &TransferFunctionPlot::setValue);
-  connect(opacity_, &QDoubleSpinBox::valueChanged, plot_,
-          [this](double percent) { plot_->setOpacity(0.01 * percent); });
-  connect(colour_, &ColourButton::edited, plot_, &TransferFunctionPlot::setColour);
-  connect(plot_, &TransferFunctionPlot::colourWanted, colour_, [this] {
-    if (colour_->isEnabled()) colour_->click();
-  });
-  connect(&document, &Document::volumeChanged, this, &TransferFunctionEditor::fitToVolume);
-  connect(plot_, &TransferFunctionPlot::changed, this, [this] {
-    showTargets();
-    showNode();
-  });
-  showTargets();
-  showNode();
 }
 
 void TransferFunctionEditor::fillPresets() {
@@ -162,7 +169,7 @@ void TransferFunctionEditor::showNode() {
   const auto& nodes = function.nodes;
   const TransferFunction::Node& node = nodes[*selected];
   const QSignalBlocker quietValue(value_), quietOpacity(opacity_);
-  // As far as the neighbours allow; a box's corner lies on its edge.
+  // A node moves as far as its neighbours allow; a box's corner stays on its edge.
   const bool own = hasNodes(target, document_);
   const ValueRange all = own ? ValueRange{-1e9, 1e9} : document_.scene().volume->range;
   double low = all.low, high = all.high;

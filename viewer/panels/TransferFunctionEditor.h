@@ -31,7 +31,7 @@ class TransferFunctionEditor : public QWidget {
   QDoubleSpinBox* opacity() const { return opacity_; }
   ColourButton* colour() const { return colour_; }
   QCheckBox* byValue() const { return byValue_; }
-  /// Functions to take for a part of the focus: those of the built-in and of the user's presets, and files.
+  /// Offers functions for a part of the focus: built-in ones, the user's, and files.
   QToolButton* presets() const { return presets_; }
   /// Asks for a transfer function's file; a dialog, unless a test replaces it.
   std::function<std::optional<std::filesystem::path>()>& functionWhich() { return functionWhich_; }
@@ -40,6 +40,8 @@ class TransferFunctionEditor : public QWidget {
   void failed(const QString& message);
 
  private:
+  void setUpControls();
+  void layOut();
   void fillPresets();
   /// A built-in preset's id or a file.
   void takeFunction(const std::string& presetOrPath);
@@ -49,13 +51,13 @@ class TransferFunctionEditor : public QWidget {
 
   Document& document_;
   const LookLibrary& library_;
-  QLabel* onlyContext_;  ///< in place of `targets_` where there is one
+  QLabel* onlyContext_;  ///< in place of `targets_` where the context is the only one
   QComboBox* targets_;
   TransferFunctionPlot* plot_;
   QDoubleSpinBox *value_, *opacity_;
   ColourButton* colour_;
-  QCheckBox* byValue_;    ///< of a part of the focus
-  QToolButton* presets_;  ///< likewise
+  QCheckBox* byValue_;    ///< gives a part of the focus its own function
+  QToolButton* presets_;  ///< functions for a part of the focus
   std::function<std::optional<std::filesystem::path>()> functionWhich_;
   std::vector<FunctionTarget> listed_;  ///< what `targets_` shows
 };

@@ -13,7 +13,7 @@
 namespace fenestra::viewer {
 namespace {
 
-// As the other plots: pictures and plots look the same in both themes.
+// Plots have these colours in both themes, as pictures have theirs.
 const QColor paper(18, 20, 23), bars(62, 68, 76), lines(44, 48, 54), faint(150, 156, 164), chosen(255, 196, 84),
     ring(110, 163, 210);
 constexpr double handleRadius = 4.5, chosenRadius = 6.0;  ///< device-independent pixels, as all below

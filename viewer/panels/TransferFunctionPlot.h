@@ -29,7 +29,7 @@ class TransferFunctionPlot : public QWidget {
   void setByValue(bool byValue);
   /// The function that is shown, over values of the volume.
   TransferFunction function() const;
-  /// The node that keys, colour and exact numbers are about; empty where there is none.
+  /// The node that keys, colour and exact numbers change; empty where none is selected.
   std::optional<std::size_t> selected() const;
   void select(std::size_t node);
   /// Selects a whole trapezoid by its first node: it is coloured and deleted as one.
@@ -38,17 +38,17 @@ class TransferFunctionPlot : public QWidget {
   /// The values from the left to the right edge, and from the least to the greatest that can be shown.
   ValueRange shown() const { return shown_; }
   ValueRange axis() const { return axis_; }
-  /// Where in the widget a value and an opacity are.
+  /// The place of a value and an opacity in the widget.
   QPointF place(double value, double opacity) const;
 
-  /// One step of the history each. The selected node gets an exact value, opacity or colour.
+  /// Give the selected node an exact value, opacity or colour; each is a step of the history.
   void setValue(double value);
   void setOpacity(double opacity);
   void setColour(glm::dvec3 colour);
   void addNode(double value, double opacity);
   void addTrapezoid(double value);
   void deleteSelected();
-  /// What a right click offers; `at` is a place in the widget.
+  /// Makes the menu of a right click at a place in the widget.
   void fillMenu(QMenu& menu, QPointF at);
 
  Q_SIGNALS:
@@ -70,7 +70,7 @@ class TransferFunctionPlot : public QWidget {
   void contextMenuEvent(QContextMenuEvent* event) override;
 
  private:
-  /// A gesture under way: how things were when it began.
+  /// The state before the gesture that is under way.
   struct Drag {
     Look look;
     TransferFunction function;
@@ -110,8 +110,8 @@ class TransferFunctionPlot : public QWidget {
   Document& document_;
   FunctionTarget target_;
   ValueHistogram histogram_;
-  std::optional<ValueHistogram> labelHistogram_;  ///< in its place, while a label is shown
-  /// What labelHistogram_ was made of.
+  std::optional<ValueHistogram> labelHistogram_;  ///< shown in place of histogram_ while a label is edited
+  /// The data that labelHistogram_ was made from.
   struct Counted {
     std::shared_ptr<const LabelMap> labels;
     std::shared_ptr<const Volume> volume;

@@ -38,7 +38,7 @@ std::optional<Grip> TransferFunctionPlot::gripAt(QPointF at) const {
   for (std::size_t node = 0; node < nodes.size(); ++node) {
     const QPointF off = at - places[node];
     const double distance = std::hypot(off.x(), off.y());
-    // Of two nodes at one place the selected one, or the later one, which can be dragged away to the right.
+    // Where two nodes share a place, take the selected one, or else the later one, which can be dragged to the right.
     if (distance > least || (nearest && distance == least && nearest->node == selected_)) continue;
     least = distance;
     nearest = Grip{Grip::Part::Node, node};
@@ -108,7 +108,7 @@ void TransferFunctionPlot::deleteSelected() {
   if (!selected() || !hasNodes(target_, document_)) return;
   TransferFunction now = function();
   const auto [first, last] = selection();
-  // Without any node the context would be gone, and so would be what could be dragged to bring it back.
+  // The last nodes stay: without any the context would vanish, and nothing could be dragged to bring it back.
   if (now.nodes.size() == last - first) return;
   for (std::size_t count = first; count < last; ++count) now = withoutNode(now, first);
   edit(now);

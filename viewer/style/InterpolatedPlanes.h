@@ -1,5 +1,5 @@
 #pragma once
-// Marks in a slice's picture where nothing was scanned: planes that were interpolated across gaps of the series.
+// Marks in a slice's picture for planes that were not scanned but interpolated across gaps of the series.
 
 #include <vector>
 

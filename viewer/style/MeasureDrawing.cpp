@@ -17,8 +17,8 @@ QPointF unit(QPointF direction) {
   return length > 1e-9 ? direction / length : QPointF(1.0, 0.0);
 }
 
-/// The box of that size that begins `gap` beyond a point in a direction: it lies behind the line through the point at a
-/// right angle to the direction.
+/// The box of that size that begins `gap` beyond a point in a direction, behind the line through the point at a right
+/// angle to the direction.
 QRectF beyond(QPointF point, QPointF direction, QSizeF size) {
   const QPointF way = unit(direction);
   const double reach = 0.5 * (size.width() * std::abs(way.x()) + size.height() * std::abs(way.y()));
@@ -38,7 +38,7 @@ QList<QRectF> candidates(const ShownMeasure& measure, QSizeF size) {
   }
   if (measure.kind == MeasureKind::Angle) {
     const QPointF a = unit(at[0] - at[1]), b = unit(at[2] - at[1]);
-    // Both arms lie on one side of the vertex; of a straight angle, on neither.
+    // Both arms of an angle lie on one side of its vertex, except those of a straight angle.
     const QPointF away = -(a + b);
     const QPointF straight = across(a);
     return {beyond(at[1], std::hypot(away.x(), away.y()) > 1e-3 ? away : straight, size), beyond(at[0], a, size),

@@ -9,7 +9,7 @@
 
 namespace fenestra::viewer {
 
-/// A measure in a view: its handles (see handlesOf) in device-independent pixels, and what it says.
+/// A measure in a view: its handles (see handlesOf) in device-independent pixels, and its text.
 struct ShownMeasure {
   MeasureKind kind = MeasureKind::Distance;
   QPolygonF handles;

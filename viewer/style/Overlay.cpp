@@ -118,8 +118,8 @@ void drawText(QPainter& painter, const QRectF& box, int alignment, const QString
   if (alignment & Qt::AlignHCenter) at.setX(box.center().x() - 0.5 * size.width());
   if (alignment & Qt::AlignBottom) at.setY(box.bottom() - size.height());
   if (alignment & Qt::AlignVCenter) at.setY(box.center().y() - 0.5 * size.height());
-  // In the pixels of the device, on whole ones, or the letters would be blurred. A saved picture has more of them than
-  // its device's ratio says: its painter is scaled.
+  // Letters stay sharp only on whole pixels of the device. The painter of a saved picture is scaled, so it has more
+  // pixels than its device's ratio says.
   const QTransform toDevice = painter.deviceTransform();
   const QPointF corner = toDevice.map(at - QPointF(haloMargin, haloMargin));
   painter.drawPixmap(toDevice.inverted().map(QPointF(std::round(corner.x()), std::round(corner.y()))),

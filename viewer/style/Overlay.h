@@ -15,7 +15,7 @@ namespace fenestra::viewer {
 /// Distance of all overlays from the edge of the view, in device-independent pixels.
 inline constexpr double overlayMargin = 8.0;
 
-/// Of texts that stand back behind a view's title.
+/// The colour of texts that matter less than a view's title.
 inline const QColor overlayGrey(224, 227, 232);
 
 QColor toColour(glm::dvec3 displayRgb);

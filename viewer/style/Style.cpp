@@ -200,7 +200,7 @@ class TextColouredIcon : public QIconEngine {
 void applyStyle(QApplication& application, Theme theme) {
   registerIcons();
   application.setWindowIcon(QIcon(QStringLiteral(":/icons/fenestra.svg")));
-  // Once, before there is a style sheet: in Qt 6.4 a style that is set under one can make the next sheet crash.
+  // Once, before any style sheet: in Qt 6.4, setting a style while a sheet is active can make the next sheet crash.
   if (application.styleSheet().isEmpty()) application.setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
   const Colours& colours = theme == Theme::Dark ? darkColours : lightColours;
   application.setPalette(paletteOf(colours));

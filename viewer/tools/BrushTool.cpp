@@ -12,21 +12,22 @@
 #include "viewer/model/Brush.h"
 #include "viewer/model/Document.h"
 #include "viewer/style/Overlay.h"
+#include "viewer/tools/Canvas.h"
 
 namespace fenestra::viewer {
 namespace {
 
-constexpr double wheelRate =
-    0.0008;  ///< change of ln(depth) per eighth of a degree: a notch of 15° changes the depth by a tenth
+/// Change of ln(depth) per eighth of a degree: a notch of 15° changes the depth by a tenth.
+constexpr double wheelRate = 0.0008;
 constexpr double dragRate = 0.01;  ///< change of ln(depth) per pixel
 
 }  // namespace
 
-BrushTool::BrushTool(Brush& brush, Document& document, Canvas canvas)
-    : brush_(brush), document_(document), canvas_(std::move(canvas)) {}
+BrushTool::BrushTool(Brush& brush, Document& document, PictureCanvas& canvas)
+    : brush_(brush), document_(document), canvas_(canvas) {}
 
 bool BrushTool::press(const QMouseEvent& event) {
-  if (!brush_.isActive() || event.button() != Qt::LeftButton || event.modifiers() & Qt::ControlModifier) return false;
+  if (!brush_.isActive() || event.modifiers() & Qt::ControlModifier) return false;
   if (event.modifiers() & (Qt::ShiftModifier | Qt::AltModifier)) {
     deepening_ = event.position();
     return true;
@@ -42,38 +43,36 @@ bool BrushTool::press(const QMouseEvent& event) {
                         .amount = settings.amount,
                         .toSurface = settings.toSurface && settings.mode == BrushMode::Restore,
                         .coversFocus = settings.coversFocus,
-                        .view = settings.thisViewOnly ? canvas_.view : -1};
+                        .view = settings.thisViewOnly ? canvas_.camera() : -1};
   document_.history().beginGesture();
   paintTo(event.position());
   return true;
 }
 
-bool BrushTool::move(const QMouseEvent& event) {
+void BrushTool::drag(const QMouseEvent& event) {
   mouse_ = event.position();
-  if (!brush_.isActive() && !isPainting()) return false;
   if (deepening_) {
     brush_.scaleDepth(std::exp(dragRate * (deepening_->y() - mouse_->y())));
     deepening_ = mouse_;
-    return true;
+    return;
   }
-  if (isPainting())
-    paintTo(*mouse_);
-  else if (event.buttons() == Qt::NoButton)
-    measure();
+  if (isPainting()) paintTo(*mouse_);
   canvas_.redraw();
-  return isPainting();
 }
 
-bool BrushTool::release(const QMouseEvent& event) {
-  if (event.button() != Qt::LeftButton) return isPainting();
-  if (deepening_) {
-    deepening_.reset();
-    return true;
+void BrushTool::release(const QMouseEvent& event) {
+  if (isPainting()) {
+    paintTo(event.position());
+    finish();
   }
-  if (!isPainting()) return false;
-  paintTo(event.position());
-  finish();
-  return true;
+  deepening_.reset();
+}
+
+void BrushTool::hover(const QMouseEvent& event) {
+  mouse_ = event.position();
+  if (!brush_.isActive()) return;
+  if (event.buttons() == Qt::NoButton) refresh();
+  canvas_.redraw();
 }
 
 bool BrushTool::wheel(const QWheelEvent& event) {
@@ -87,7 +86,7 @@ bool BrushTool::wheel(const QWheelEvent& event) {
 bool BrushTool::key(const QKeyEvent& event) {
   if (event.key() != Qt::Key_Space || isPainting() || !obstacle_ || remedyOf(*obstacle_).isEmpty()) return false;
   applyRemedy(*obstacle_, brush_, document_);
-  measure();
+  refresh();
   canvas_.redraw();
   return true;
 }
@@ -98,10 +97,14 @@ void BrushTool::leave() {
   canvas_.redraw();
 }
 
+std::optional<Qt::CursorShape> BrushTool::pointer(QPointF) const {
+  return brush_.isActive() ? std::optional(Qt::CrossCursor) : std::nullopt;
+}
+
 void BrushTool::paintTo(QPointF position) {
   std::optional<glm::dvec3> last;
   if (!stroke_->anchors.empty()) last = stroke_->anchors.back();
-  const std::optional<BrushPoint> point = canvas_.pick(position, stroke_->mode, last);
+  const std::optional<BrushPoint> point = canvas_.pickBrush(position, stroke_->mode, last);
   if (!point) return;
   // The whole stroke has one radius in mm: that of the ring where the stroke begins.
   if (stroke_->anchors.empty()) stroke_->radius = brush_.settings().radius * point->pixelSize;
@@ -122,19 +125,20 @@ void BrushTool::finish() {
   picture_.clear();
 }
 
-void BrushTool::measure() {
+void BrushTool::refresh() {
   under_.reset();
   obstacle_.reset();
   if (!mouse_ || !brush_.isActive()) return;
   const BrushSettings& settings = brush_.settings();
-  // The mouse's place, then the disc where the profile is at least half, or the stroke would change next to nothing.
+  // The mouse's place, and points around it where the profile is a half: a stroke that meets less changes almost
+  // nothing.
   constexpr std::size_t around = 8;
   std::array<std::optional<BrushPoint>, 1 + around> points;
-  points[0] = under_ = canvas_.pick(*mouse_, settings.mode, {});
+  points[0] = under_ = canvas_.pickBrush(*mouse_, settings.mode, {});
   const double radius = settings.radius * (1.0 - 0.5 * settings.softness);
   for (std::size_t i = 0; i < around; ++i) {
     const double angle = 2.0 * std::numbers::pi * static_cast<double>(i) / around;
-    points[1 + i] = canvas_.pick(*mouse_ + radius * QPointF(std::cos(angle), std::sin(angle)), settings.mode, {});
+    points[1 + i] = canvas_.pickBrush(*mouse_ + radius * QPointF(std::cos(angle), std::sin(angle)), settings.mode, {});
   }
   obstacle_ = obstacleTo(settings, document_.look(), points);
 }
@@ -194,7 +198,7 @@ void BrushTool::draw(QPainter& painter, const QRectF& view) const {
   double width = 0.0;
   for (const QString& text : lines) width = std::max(width, painter.fontMetrics().horizontalAdvance(text) + 4.0);
   QRectF box(at.x() - 0.5 * width, at.y() + radius + 4.0, width, line * static_cast<double>(lines.size()));
-  // Above the ring when the arrow points down, because the arrow then takes the place below.
+  // Above the ring when the arrow points down and takes the place below.
   if ((deep && !adds) || box.bottom() > view.bottom()) box.moveBottom(at.y() - radius - 4.0);
   box.moveLeft(std::clamp(box.left(), view.left(), std::max(view.left(), view.right() - width)));
   box.setHeight(line);

@@ -3,65 +3,53 @@
 // Positions and radii are in device-independent pixels of the view.
 //
 // Left drag: paint. Shift or Alt with left drag up and down, or with the wheel: depth, or amount in modes without
-// depth. Ctrl+left drag is left to the view, which rotates. Where a stroke can have no effect, the text at the ring
-// says why, and Space does what would let it.
+// depth. The view rotates on Ctrl+left drag. Where a stroke can have no effect, the text at the ring says why, and
+// Space applies the remedy.
 
-#include <functional>
+#include <cstdint>
 #include <optional>
-
-#include <QPainter>
-#include <QPointF>
+#include <vector>
 
 #include "rendering/scene/BrushStroke.h"
 #include "viewer/model/BrushObstacle.h"
-
-class QKeyEvent;
-class QMouseEvent;
-class QWheelEvent;
+#include "viewer/tools/Tool.h"
 
 namespace fenestra::viewer {
 
 class Brush;
 class Document;
+class PictureCanvas;
 
-class BrushTool {
+class BrushTool : public Tool {
  public:
-  /// What the tool needs of its view. All may be called at any time.
-  struct Canvas {
-    int view;  ///< the camera's place
-    /// Renderer::pickBrush() at a place in the view.
-    std::function<std::optional<BrushPoint>(QPointF, BrushMode, std::optional<glm::dvec3> before)> pick;
-    /// The picture of the document as it is now, at full quality; empty where there is none.
-    std::function<std::vector<std::uint8_t>()> picture;
-    std::function<void()> redraw;
-  };
+  /// All outlive this.
+  BrushTool(Brush& brush, Document& document, PictureCanvas& canvas);
 
-  BrushTool(Brush& brush, Document& document, Canvas canvas);
-
-  /// Handle an event. True: the tool has taken it, and the view must ignore it.
-  bool press(const QMouseEvent& event);
-  bool move(const QMouseEvent& event);
-  bool release(const QMouseEvent& event);
-  bool wheel(const QWheelEvent& event);
-  bool key(const QKeyEvent& event);
-  void leave();
-
-  bool isPainting() const { return stroke_.has_value(); }
-  /// What keeps a stroke at the mouse from changing the picture.
-  std::optional<BrushObstacle> obstacle() const { return obstacle_; }
+  bool press(const QMouseEvent& event) override;
+  void drag(const QMouseEvent& event) override;
+  void release(const QMouseEvent& event) override;
+  void hover(const QMouseEvent& event) override;
+  void leave() override;
+  bool wheel(const QWheelEvent& event) override;
+  bool key(const QKeyEvent& event) override;
+  /// Finds what the picture shows under the mouse.
+  void refresh() override;
+  std::optional<Qt::CursorShape> pointer(QPointF position) const override;
   /// Ring, softness and depth under the mouse.
-  void draw(QPainter& painter, const QRectF& view) const;
-  /// Finds what the picture shows under the mouse; to be called after the picture has changed.
-  void measure();
+  void draw(QPainter& painter, const QRectF& view) const override;
+
+  /// Why a stroke at the mouse would not change the picture.
+  std::optional<BrushObstacle> obstacle() const { return obstacle_; }
 
  private:
+  bool isPainting() const { return stroke_.has_value(); }
   void paintTo(QPointF position);
   QStringList hint() const;
   void finish();
 
   Brush& brush_;
   Document& document_;
-  Canvas canvas_;
+  PictureCanvas& canvas_;
   std::optional<QPointF> mouse_;     ///< position; empty outside the view
   std::optional<BrushPoint> under_;  ///< what the picture shows at mouse_
   std::optional<BrushObstacle> obstacle_;

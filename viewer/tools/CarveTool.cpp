@@ -4,22 +4,25 @@
 
 #include <QMouseEvent>
 
+#include "rendering/scene/SettingWords.h"
+#include "viewer/model/Carving.h"
 #include "viewer/model/Document.h"
 #include "viewer/model/Translation.h"
+#include "viewer/tools/Canvas.h"
 
 namespace fenestra::viewer {
 namespace {
 
-constexpr double mostBetweenPoints = 2.0;  ///< mm, of a stroke of a saw or a plane
+constexpr double mostBetweenPoints = 2.0;  ///< mm, in strokes of a saw or a plane
 
 }  // namespace
 
-CarveTool::CarveTool(Carving& carving, Document& document, SpaceCanvas canvas)
-    : carving_(carving), document_(document), canvas_(std::move(canvas)) {}
+CarveTool::CarveTool(Carving& carving, Document& document, Canvas& canvas)
+    : carving_(carving), document_(document), canvas_(canvas) {}
 
 bool CarveTool::press(const QMouseEvent& event) {
-  if (!carving_.isActive() || event.button() != Qt::LeftButton || event.modifiers() & Qt::ControlModifier) return false;
-  const std::optional<glm::dvec3> at = canvas_.pick(event.position());
+  if (!carving_.isActive() || event.modifiers() & Qt::ControlModifier) return false;
+  const std::optional<glm::dvec3> at = canvas_.pickSurface(event.position());
   mouse_ = event.position();
   under_ = at;
   if (!at) return true;
@@ -31,22 +34,15 @@ bool CarveTool::press(const QMouseEvent& event) {
   return true;
 }
 
-bool CarveTool::move(const QMouseEvent& event) {
-  if (!carving_.isActive() && !isCarving()) return false;
+void CarveTool::drag(const QMouseEvent& event) {
   mouse_ = event.position();
-  if (bentFrom_) {
-    // The line to the mouse shows how far.
-  } else if (isCarving()) {
-    extendTo(*mouse_);
-  } else if (event.buttons() == Qt::NoButton) {
-    under_ = canvas_.pick(*mouse_);
-  }
+  // While a plane is bent, the line to the mouse shows how far.
+  if (!stroke_.empty() && !bentFrom_) extendTo(*mouse_);
   canvas_.redraw();
-  return isCarving();
 }
 
-bool CarveTool::release(const QMouseEvent& event) {
-  if (event.button() != Qt::LeftButton || !isCarving()) return isCarving();
+void CarveTool::release(const QMouseEvent& event) {
+  if (stroke_.empty()) return;
   if (bentFrom_)
     bend(event.position());
   else
@@ -54,7 +50,13 @@ bool CarveTool::release(const QMouseEvent& event) {
   stroke_.clear();
   bentFrom_.reset();
   canvas_.redraw();
-  return true;
+}
+
+void CarveTool::hover(const QMouseEvent& event) {
+  if (!carving_.isActive()) return;
+  mouse_ = event.position();
+  if (event.buttons() == Qt::NoButton) under_ = canvas_.pickSurface(*mouse_);
+  canvas_.redraw();
 }
 
 void CarveTool::leave() {
@@ -62,8 +64,12 @@ void CarveTool::leave() {
   canvas_.redraw();
 }
 
+std::optional<Qt::CursorShape> CarveTool::pointer(QPointF) const {
+  return carving_.isActive() ? std::optional(Qt::CrossCursor) : std::nullopt;
+}
+
 void CarveTool::extendTo(QPointF position) {
-  const std::optional<glm::dvec3> at = canvas_.pick(position);
+  const std::optional<glm::dvec3> at = canvas_.pickSurface(position);
   if (!at) return;
   under_ = at;
   // A nearer point would change next to nothing.
@@ -76,7 +82,7 @@ void CarveTool::extendTo(QPointF position) {
 void CarveTool::finish(QPointF position) {
   extendTo(position);
   Removals removals = document_.removals();
-  removals.push_back(carvedAlong(stroke_, carving_.settings(), canvas_.axes(stroke_.front())));
+  removals.push_back(carvedAlong(stroke_, carving_.settings(), canvas_.axesAt(stroke_.front())));
   const QString shape = translated(wordOf(carving_.settings().shape).name).toLower();
   document_.setRemovals(std::move(removals), Carving::tr("Carve: %1").arg(shape));
 }
@@ -87,7 +93,7 @@ void CarveTool::bend(QPointF position) {
   if (!plane || !(scale > 0.0)) return;
   const glm::dvec2 moved = glm::dvec2(position.x() - bentFrom_->x(), bentFrom_->y() - position.y()) / scale;
   Removals removals = document_.removals();
-  const double distance = bentBy(*plane, moved, canvas_.axes(stroke_.front()));
+  const double distance = bentBy(*plane, moved, canvas_.axesAt(stroke_.front()));
   if (distance == 0.0) return;
   removals.back().bends.push_back({stroke_.front(), distance, carving_.settings().size});
   document_.setRemovals(std::move(removals), Carving::tr("Bend the plane"));
@@ -98,7 +104,7 @@ const Removal* CarveTool::lastPlane() const {
   return !removals.empty() && removals.back().shape == RemovalShape::Plane ? &removals.back() : nullptr;
 }
 
-void CarveTool::draw(QPainter& painter) const {
+void CarveTool::draw(QPainter& painter, const QRectF&) const {
   if (!carving_.isActive() || !mouse_) return;
   const CarvingSettings& settings = carving_.settings();
   const QColor colour = under_ ? QColor(255, 170, 110) : QColor(160, 164, 170), rim(0, 0, 0, 170);

@@ -8,30 +8,33 @@
 #include <optional>
 #include <vector>
 
-#include <QPainter>
-#include <QPointF>
+#include <glm/glm.hpp>
 
-#include "viewer/tools/SpaceCanvas.h"
+#include "viewer/tools/Tool.h"
 
-class QMouseEvent;
+namespace fenestra {
+struct Removal;
+}
 
 namespace fenestra::viewer {
 
+class Canvas;
+class Carving;
 class Document;
 
-class CarveTool {
+class CarveTool : public Tool {
  public:
-  CarveTool(Carving& carving, Document& document, SpaceCanvas canvas);
+  /// All outlive this.
+  CarveTool(Carving& carving, Document& document, Canvas& canvas);
 
-  /// Handle an event. True: the tool has taken it, and the view must ignore it.
-  bool press(const QMouseEvent& event);
-  bool move(const QMouseEvent& event);
-  bool release(const QMouseEvent& event);
-  void leave();
-
-  bool isCarving() const { return !stroke_.empty(); }
+  bool press(const QMouseEvent& event) override;
+  void drag(const QMouseEvent& event) override;
+  void release(const QMouseEvent& event) override;
+  void hover(const QMouseEvent& event) override;
+  void leave() override;
+  std::optional<Qt::CursorShape> pointer(QPointF position) const override;
   /// The stroke, or the ring under the mouse.
-  void draw(QPainter& painter) const;
+  void draw(QPainter& painter, const QRectF& view) const override;
 
  private:
   void extendTo(QPointF position);
@@ -42,9 +45,9 @@ class CarveTool {
 
   Carving& carving_;
   Document& document_;
-  SpaceCanvas canvas_;
+  Canvas& canvas_;
   std::optional<QPointF> mouse_;     ///< position; empty outside the view
-  std::optional<glm::dvec3> under_;  ///< what is seen there
+  std::optional<glm::dvec3> under_;  ///< the point that is seen there
   std::vector<glm::dvec3> stroke_;   ///< being drawn
   std::optional<QPointF> bentFrom_;  ///< where a drag of the plane began; stroke_ holds the point there
 };

@@ -8,13 +8,16 @@
 #include <QCoreApplication>
 #include <QMouseEvent>
 
+#include "viewer/model/ActiveTool.h"
 #include "viewer/model/Document.h"
+#include "viewer/model/ViewOptions.h"
+#include "viewer/tools/Canvas.h"
 #include "viewer/tools/HandleDrag.h"
 
 namespace fenestra::viewer {
 namespace {
 
-/// Sine of the angle between a plane and a slice below which they do not cut each other to speak of.
+/// Sine of the angle between a plane and a slice below which they count as parallel.
 constexpr double leastAngle = 0.1;
 constexpr double arrowShare = 0.3;  ///< length of a plane's arrow over the radius of the volume
 
@@ -46,18 +49,19 @@ std::vector<glm::dvec3> cutPolygon(const Grid& grid, const HalfSpace& plane) {
   return points;
 }
 
-/// What of the box lies in the volume.
+/// The part of the box that lies in the volume.
 CropBox inVolume(const CropBox& box, const CropFrame& frame) {
   return {glm::clamp(box.low, frame.low, frame.high), glm::clamp(box.high, frame.low, frame.high)};
 }
 
-glm::dvec3 onto(const ClipTool::Canvas::Section& section, glm::dvec3 point) {
+glm::dvec3 onto(const Canvas::Section& section, glm::dvec3 point) {
   return point - section.normal * glm::dot(point - section.point, section.normal);
 }
 
 }  // namespace
 
-ClipTool::ClipTool(Document& document, Canvas canvas) : document_(document), canvas_(std::move(canvas)) {}
+ClipTool::ClipTool(Document& document, const ViewOptions& options, const ActiveTool& active, const Canvas& canvas)
+    : document_(document), options_(options), active_(active), canvas_(canvas) {}
 
 void ClipTool::addFaces(std::vector<Handle>& handles) const {
   const CropFrame frame(document_.scene().volume->grid);
@@ -96,14 +100,15 @@ void ClipTool::addPlanes(std::vector<Handle>& handles) const {
 
 std::vector<ClipTool::Handle> ClipTool::handles() const {
   std::vector<Handle> handles;
-  if (!document_.hasVolume() || !canvas_.shows()) return handles;
+  if (!document_.hasVolume() || !options_.clipHandles()) return handles;
+  if (active_.mode() && !canvas_.section()) return handles;
   if (document_.clipping().cropped) addFaces(handles);
   addPlanes(handles);
   return handles;
 }
 
 std::optional<ClipTool::Handle> ClipTool::handleAt(QPointF position) const {
-  return handleNear(handles(), canvas_.widgetFromWorld, position);
+  return handleNear(handles(), canvas_, position);
 }
 
 std::optional<Qt::CursorShape> ClipTool::pointer(QPointF position) const {
@@ -112,7 +117,7 @@ std::optional<Qt::CursorShape> ClipTool::pointer(QPointF position) const {
 }
 
 bool ClipTool::press(const QMouseEvent& event) {
-  if (event.button() != Qt::LeftButton || event.modifiers() != Qt::NoModifier) return false;
+  if (event.modifiers() != Qt::NoModifier) return false;
   grip_ = handleAt(event.position());
   if (!grip_) return false;
   before_ = held_ = document_.clipping();
@@ -121,10 +126,9 @@ bool ClipTool::press(const QMouseEvent& event) {
   return true;
 }
 
-bool ClipTool::move(const QMouseEvent& event) {
-  if (!grip_) return false;
-  // Undone, removed, or of a study that has arrived in the meantime: there is nothing to drag any more.
-  if (!document_.hasVolume() || document_.clipping() != held_) return true;
+void ClipTool::drag(const QMouseEvent& event) {
+  // Undone or removed meanwhile, or another study has arrived: there is nothing to drag any more.
+  if (!document_.hasVolume() || document_.clipping() != held_) return;
   const QPointF moved = event.position() - pressed_;
   switch (grip_->kind) {
     case Handle::Kind::Face:
@@ -138,24 +142,14 @@ bool ClipTool::move(const QMouseEvent& event) {
       break;
   }
   held_ = document_.clipping();
-  return true;
 }
 
-bool ClipTool::release(const QMouseEvent& event) {
-  if (!grip_ || event.button() != Qt::LeftButton) return false;
+void ClipTool::release(const QMouseEvent&) {
   grip_.reset();
   document_.history().endGesture();
-  return true;
 }
 
-QPointF ClipTool::pixelsPerMm(glm::dvec3 at, glm::dvec3 along) const {
-  const auto from = canvas_.widgetFromWorld(at), to = canvas_.widgetFromWorld(at + along);
-  return from && to ? *to - *from : QPointF();
-}
-
-double ClipTool::draggedBy(QPointF moved) const {
-  return draggedAlong(canvas_.widgetFromWorld, canvas_.axes()[0], grip_->at, grip_->along, moved);
-}
+double ClipTool::draggedBy(QPointF moved) const { return draggedAlong(canvas_, grip_->at, grip_->along, moved); }
 
 void ClipTool::dragFace(QPointF moved) {
   const Grid& grid = document_.scene().volume->grid;
@@ -183,8 +177,8 @@ void ClipTool::dragPlane(QPointF moved) {
 }
 
 void ClipTool::tiltPlane(QPointF moved) {
-  const auto [right, up] = canvas_.axes();
-  const QPointF perRight = pixelsPerMm(grip_->at, right);
+  const auto [right, up, forward] = canvas_.axes();
+  const QPointF perRight = canvas_.pixelsPerMm(grip_->at, right);
   const double pixels = std::hypot(perRight.x(), perRight.y());
   if (!(pixels > 0.0)) return;
   const glm::dvec3 tip = grip_->at + (right * moved.x() - up * moved.y()) / pixels;
@@ -248,7 +242,7 @@ void ClipTool::drawPlane(QPainter& painter, std::size_t which) const {
   }
 }
 
-void ClipTool::draw(QPainter& painter) const {
+void ClipTool::draw(QPainter& painter, const QRectF&) const {
   const std::vector<Handle> all = handles();
   if (all.empty()) return;
   painter.save();

@@ -2,58 +2,47 @@
 // The crop box and the clip planes over a picture, with handles to drag: in 3-D views and on slices. Positions are in
 // device-independent pixels of the view.
 //
-// Of the box each face has a handle; of a plane one to move it and one, at the tip of its arrow, to tilt it. The arrow
-// points to what is kept. A drag is one step to undo. They show while ViewOptions::clipHandles() is on.
+// Each face of the box has a handle; each plane has one to move it and one, at the tip of its arrow, to tilt it. The
+// arrow points to what is kept. A drag is one step to undo. They show while ViewOptions::clipHandles() is on; in a 3-D
+// view, not while a stroke mode is active.
 
-#include <functional>
+#include <cstdint>
 #include <optional>
 #include <vector>
 
-#include <QPainter>
 #include <QPointF>
 
 #include "rendering/scene/Clipping.h"
-
-class QMouseEvent;
+#include "viewer/tools/Tool.h"
 
 namespace fenestra::viewer {
 
+class ActiveTool;
+class Canvas;
 class Document;
+class ViewOptions;
 
-class ClipTool {
+class ClipTool : public Tool {
  public:
-  /// What the tool needs of its view.
-  struct Canvas {
-    /// Empty behind the eye.
-    std::function<std::optional<QPointF>(glm::dvec3)> widgetFromWorld;
-    /// Unit vectors along the picture, world: to the right and up.
-    std::function<std::array<glm::dvec3, 2>()> axes;
-    /// The plane of a slice view: any point of it and its unit normal; empty in 3-D.
-    struct Section {
-      glm::dvec3 point, normal;
-    };
-    std::function<std::optional<Section>()> section;
-    std::function<bool()> shows;
-  };
   struct Handle {
     enum class Kind : std::uint8_t { Face, Move, Tilt } kind;
-    int which;            ///< of a face: 2·axis, and 1 more for the high end; else the plane's place
+    int which;            ///< Face: 2·axis, and 1 more for the high end; Move and Tilt: the plane's place
     glm::dvec3 at;        ///< world
-    glm::dvec3 along;     ///< unit, world: the way that a drag moves it; of Tilt the arrow's
-    glm::dvec3 foot{at};  ///< of Tilt: what it turns about
+    glm::dvec3 along;     ///< unit, world: the way that a drag moves it; Tilt: the arrow's
+    glm::dvec3 foot{at};  ///< Tilt: what it turns about
   };
 
-  ClipTool(Document& document, Canvas canvas);
+  /// All outlive this.
+  ClipTool(Document& document, const ViewOptions& options, const ActiveTool& active, const Canvas& canvas);
 
-  /// Handle an event. True: the tool has taken it, and the view must ignore it.
-  bool press(const QMouseEvent& event);
-  bool move(const QMouseEvent& event);
-  bool release(const QMouseEvent& event);
+  bool press(const QMouseEvent& event) override;
+  void drag(const QMouseEvent& event) override;
+  void release(const QMouseEvent& event) override;
+  std::optional<Qt::CursorShape> pointer(QPointF position) const override;
+  void draw(QPainter& painter, const QRectF& view) const override;
 
-  /// Over a handle, the pointer's shape.
-  std::optional<Qt::CursorShape> pointer(QPointF position) const;
+  /// None while they do not show.
   std::vector<Handle> handles() const;
-  void draw(QPainter& painter) const;
 
  private:
   std::optional<Handle> handleAt(QPointF position) const;
@@ -62,8 +51,6 @@ class ClipTool {
   void drawBox(QPainter& painter) const;
   void drawPlane(QPainter& painter, std::size_t which) const;
   void drawLine(QPainter& painter, glm::dvec3 from, glm::dvec3 to, const QColor& colour) const;
-  /// Pixels from a world point by 1 mm along a unit vector.
-  QPointF pixelsPerMm(glm::dvec3 at, glm::dvec3 along) const;
   /// mm along the handle's way that the mouse has moved since the press.
   double draggedBy(QPointF moved) const;
   void dragFace(QPointF moved);
@@ -71,10 +58,12 @@ class ClipTool {
   void tiltPlane(QPointF moved);
 
   Document& document_;
-  Canvas canvas_;
+  const ViewOptions& options_;
+  const ActiveTool& active_;
+  const Canvas& canvas_;
   std::optional<Handle> grip_;  ///< being dragged
   Clipping before_;             ///< at the press
-  Clipping held_;               ///< as the press or the drag's last move left it
+  Clipping held_;               ///< after the press or the last move
   QPointF pressed_;
 };
 

@@ -10,6 +10,8 @@
 #include "viewer/model/Document.h"
 #include "viewer/model/MeasureMode.h"
 #include "viewer/model/MeasureText.h"
+#include "viewer/model/ViewOptions.h"
+#include "viewer/tools/Canvas.h"
 
 namespace fenestra::viewer {
 namespace {
@@ -27,11 +29,11 @@ double distanceTo(const QLineF& line, QPointF point) {
 
 }  // namespace
 
-MeasureTool::MeasureTool(MeasureMode& mode, Document& document, Canvas canvas)
-    : mode_(mode), document_(document), canvas_(std::move(canvas)) {}
+MeasureTool::MeasureTool(MeasureMode& mode, Document& document, const ViewOptions& options, const SliceCanvas& canvas)
+    : mode_(mode), document_(document), options_(options), canvas_(canvas) {}
 
 bool MeasureTool::liesHere(const Measure& measure) const {
-  return canvas_.shows() && sliceOf(measure, canvas_.geometry()) == canvas_.slice();
+  return options_.measures() && sliceOf(measure, canvas_.geometry()) == canvas_.slice();
 }
 
 bool MeasureTool::isDrawing() const { return mode_.draft() && liesHere(*mode_.draft()); }
@@ -39,7 +41,7 @@ bool MeasureTool::isDrawing() const { return mode_.draft() && liesHere(*mode_.dr
 std::optional<ShownMeasure> MeasureTool::shown(const Measure& measure, const MeasureValues& values) const {
   if (!liesHere(measure)) return std::nullopt;
   ShownMeasure shown{measure.kind, {}, linesOf(values, *document_.scene().volume), false};
-  for (const glm::dvec3 handle : handlesOf(measure)) shown.handles << canvas_.widgetFromWorld(handle);
+  for (const glm::dvec3 handle : handlesOf(measure)) shown.handles << canvas_.onSlice(handle);
   return shown;
 }
 
@@ -63,14 +65,14 @@ std::optional<std::size_t> MeasureTool::measureAt(QPointF position) const {
   return grip ? std::optional(grip->measure) : std::nullopt;
 }
 
-Qt::CursorShape MeasureTool::pointer(QPointF position) const {
+std::optional<Qt::CursorShape> MeasureTool::pointer(QPointF position) const {
   if (mode_.draft()) return Qt::CrossCursor;
   if (const std::optional<Grip> grip = gripAt(position)) return grip->handle ? Qt::SizeAllCursor : Qt::OpenHandCursor;
-  return mode_.kind() ? Qt::CrossCursor : Qt::ArrowCursor;
+  return mode_.kind() ? std::optional(Qt::CrossCursor) : std::nullopt;
 }
 
 bool MeasureTool::press(const QMouseEvent& event) {
-  if (event.button() != Qt::LeftButton || !document_.hasVolume()) return false;
+  if (!document_.hasVolume()) return false;
   pressed_ = event.position();
   dragging_ = false;
   if (isDrawing()) return true;
@@ -89,26 +91,23 @@ bool MeasureTool::press(const QMouseEvent& event) {
   return true;
 }
 
-bool MeasureTool::move(const QMouseEvent& event) {
-  if (!document_.hasVolume()) return false;
-  const glm::dvec3 world = canvas_.worldFromWidget(event.position());
-  const bool left = event.buttons() & Qt::LeftButton;
-  if (grip_ && left) {
-    if (!dragging_ && QLineF(pressed_, event.position()).length() <= clickSlack) return true;
-    // Undone, deleted, or of a study that has arrived in the meantime: there is nothing to drag any more.
-    if (document_.measures() != held_) return true;
-    if (!std::exchange(dragging_, true)) document_.history().beginGesture();
-    drag(world);
-    return true;
-  }
-  if (!isDrawing()) return false;
-  Measure draft = *mode_.draft();
-  draft.points.back() = world;
-  mode_.setDraft(std::move(draft));
-  return left;
+void MeasureTool::drag(const QMouseEvent& event) {
+  if (!grip_) return hover(event);
+  if (!dragging_ && QLineF(pressed_, event.position()).length() <= clickSlack) return;
+  // Undone or deleted meanwhile, or another study has arrived: there is nothing to drag any more.
+  if (document_.measures() != held_) return;
+  if (!std::exchange(dragging_, true)) document_.history().beginGesture();
+  moveGrip(canvas_.worldFromWidget(event.position()));
 }
 
-void MeasureTool::drag(glm::dvec3 to) {
+void MeasureTool::hover(const QMouseEvent& event) {
+  if (!document_.hasVolume() || !isDrawing()) return;
+  Measure draft = *mode_.draft();
+  draft.points.back() = canvas_.worldFromWidget(event.position());
+  mode_.setDraft(std::move(draft));
+}
+
+void MeasureTool::moveGrip(glm::dvec3 to) {
   std::vector<Measure> measures = document_.measures();
   Measure& measure = measures.at(grip_->measure);
   measure =
@@ -118,27 +117,21 @@ void MeasureTool::drag(glm::dvec3 to) {
   held_ = document_.measures();
 }
 
-bool MeasureTool::release(const QMouseEvent& event) {
-  if (event.button() != Qt::LeftButton) return false;
+void MeasureTool::release(const QMouseEvent& event) {
   if (grip_) {
     grip_.reset();
     if (dragging_) document_.history().endGesture();
-    return true;
+    return;
   }
-  if (!isDrawing()) return false;
+  if (!isDrawing()) return;
   Measure draft = *mode_.draft();
-  const glm::dvec3 world = canvas_.worldFromWidget(event.position());
-  const QPointF before = canvas_.widgetFromWorld(draft.points[draft.points.size() - 2]);
-  if (QLineF(before, event.position()).length() <= clickSlack) return true;  // the first click of two
-  draft.points.back() = world;
-  if (draft.points.size() < pointCount(draft.kind)) {
-    draft.points.push_back(world);
-    mode_.setDraft(std::move(draft));
-  } else {
-    mode_.setDraft(std::move(draft));
-    mode_.finishDraft();
-  }
-  return true;
+  const QPointF before = canvas_.onSlice(draft.points[draft.points.size() - 2]);
+  if (QLineF(before, event.position()).length() <= clickSlack) return;  // the first click of two
+  draft.points.back() = canvas_.worldFromWidget(event.position());
+  const bool isWhole = draft.points.size() == pointCount(draft.kind);
+  if (!isWhole) draft.points.push_back(draft.points.back());
+  mode_.setDraft(std::move(draft));
+  if (isWhole) mode_.finishDraft();
 }
 
 void MeasureTool::draw(QPainter& painter, const QRectF& view) const {

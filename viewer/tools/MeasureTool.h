@@ -5,48 +5,40 @@
 // A left drag on a handle moves it, one on the line moves the measure; both are one step to undo. A press on a measure
 // selects it, one beside it deselects.
 
-#include <functional>
 #include <optional>
+#include <vector>
 
-#include <QPainter>
 #include <QPointF>
 
 #include "rendering/scene/Measure.h"
 #include "viewer/style/MeasureDrawing.h"
-
-class QMouseEvent;
+#include "viewer/tools/Tool.h"
 
 namespace fenestra::viewer {
 
 class Document;
 class MeasureMode;
+class SliceCanvas;
+class ViewOptions;
 
-class MeasureTool {
+class MeasureTool : public Tool {
  public:
-  /// What the tool needs of its view.
-  struct Canvas {
-    std::function<QPointF(glm::dvec3)> widgetFromWorld;
-    std::function<glm::dvec3(QPointF)> worldFromWidget;  ///< on the shown slice
-    std::function<const SliceGeometry&()> geometry;
-    std::function<int()> slice;
-    std::function<bool()> shows;  ///< measures are not hidden
-  };
+  /// All outlive this.
+  MeasureTool(MeasureMode& mode, Document& document, const ViewOptions& options, const SliceCanvas& canvas);
 
-  MeasureTool(MeasureMode& mode, Document& document, Canvas canvas);
-
-  /// Handle an event. True: the tool has taken it, and the view must ignore it.
-  bool press(const QMouseEvent& event);
-  bool move(const QMouseEvent& event);
-  bool release(const QMouseEvent& event);
+  bool press(const QMouseEvent& event) override;
+  void drag(const QMouseEvent& event) override;
+  void release(const QMouseEvent& event) override;
+  void hover(const QMouseEvent& event) override;
+  /// Over a measure, or while one can be drawn.
+  std::optional<Qt::CursorShape> pointer(QPointF position) const override;
+  /// All measures of the shown slice, and the one being drawn.
+  void draw(QPainter& painter, const QRectF& view) const override;
 
   /// The measure at a place in the view, if any.
   std::optional<std::size_t> measureAt(QPointF position) const;
-  /// Over a measure, or while one can be drawn, the pointer's shape; otherwise an arrow.
-  Qt::CursorShape pointer(QPointF position) const;
   /// A measure as this view shows it; empty when it lies on another slice.
   std::optional<ShownMeasure> shown(const Measure& measure, const MeasureValues& values) const;
-  /// All measures of the shown slice, and the one being drawn.
-  void draw(QPainter& painter, const QRectF& view) const;
 
  private:
   struct Grip {
@@ -56,13 +48,14 @@ class MeasureTool {
   std::optional<Grip> gripAt(QPointF position) const;
   bool liesHere(const Measure& measure) const;
   bool isDrawing() const;
-  void drag(glm::dvec3 to);
+  void moveGrip(glm::dvec3 to);
 
   MeasureMode& mode_;
   Document& document_;
-  Canvas canvas_;
+  const ViewOptions& options_;
+  const SliceCanvas& canvas_;
   std::optional<Grip> grip_;   ///< being dragged
-  std::vector<Measure> held_;  ///< all, as the press or the drag's last move left them
+  std::vector<Measure> held_;  ///< all measures after the press or the last move
   glm::dvec3 gripped_{0.0};    ///< where the mouse was last, world
   bool dragging_ = false;      ///< has moved since the press
   QPointF pressed_;

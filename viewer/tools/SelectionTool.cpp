@@ -6,49 +6,49 @@
 
 #include "viewer/model/Document.h"
 #include "viewer/model/SelectionBrush.h"
+#include "viewer/tools/Canvas.h"
 
 namespace fenestra::viewer {
 namespace {
 
-/// Of the radius: anchors nearer to the last one change hardly any voxel.
+/// Share of the radius: an anchor nearer to the last one would change hardly any voxel.
 constexpr double leastStep = 0.2;
 
 }  // namespace
 
-SelectionTool::SelectionTool(SelectionBrush& brush, Document& document, SpaceCanvas canvas)
-    : brush_(brush), document_(document), canvas_(std::move(canvas)) {}
+SelectionTool::SelectionTool(SelectionBrush& brush, Document& document, Canvas& canvas)
+    : brush_(brush), document_(document), canvas_(canvas) {}
 
 bool SelectionTool::isActive() const { return brush_.isActive() && document_.hasVolume(); }
 
 bool SelectionTool::press(const QMouseEvent& event) {
   const Qt::KeyboardModifiers others = event.modifiers() & ~Qt::KeyboardModifiers(Qt::ShiftModifier);
-  if (!isActive() || event.button() != Qt::LeftButton || others != Qt::NoModifier) return false;
+  if (!isActive() || others != Qt::NoModifier) return false;
   stroke_ = SelectionStroke{
       {}, brush_.settings().radius, brush_.settings().softness, !(event.modifiers() & Qt::ShiftModifier)};
   paintTo(event.position());
   return true;
 }
 
-bool SelectionTool::move(const QMouseEvent& event) {
+void SelectionTool::drag(const QMouseEvent& event) {
   mouse_ = event.position();
-  if (!isActive() && !stroke_) return false;
-  if (stroke_)
-    paintTo(*mouse_);
-  else if (event.buttons() == Qt::NoButton)
-    under_ = canvas_.pick(*mouse_);
+  paintTo(*mouse_);
   canvas_.redraw();
-  return stroke_.has_value();
 }
 
-bool SelectionTool::release(const QMouseEvent& event) {
-  if (!stroke_) return false;
-  if (event.button() != Qt::LeftButton) return true;
+void SelectionTool::release(const QMouseEvent& event) {
   paintTo(event.position());
   SelectionStroke painted = std::move(*stroke_);
   stroke_.reset();
   if (!painted.anchors.empty()) document_.paintSelection(std::move(painted));
   canvas_.redraw();
-  return true;
+}
+
+void SelectionTool::hover(const QMouseEvent& event) {
+  mouse_ = event.position();
+  if (!isActive()) return;
+  if (event.buttons() == Qt::NoButton) under_ = canvas_.pickVoxel(*mouse_);
+  canvas_.redraw();
 }
 
 void SelectionTool::leave() {
@@ -57,15 +57,19 @@ void SelectionTool::leave() {
   canvas_.redraw();
 }
 
+std::optional<Qt::CursorShape> SelectionTool::pointer(QPointF) const {
+  return isActive() ? std::optional(Qt::CrossCursor) : std::nullopt;
+}
+
 void SelectionTool::paintTo(QPointF position) {
-  under_ = canvas_.pick(position);
+  under_ = canvas_.pickVoxel(position);
   if (!under_) return;
   std::vector<glm::dvec3>& anchors = stroke_->anchors;
   if (anchors.empty() || glm::distance(anchors.back(), *under_) > leastStep * stroke_->radius)
     anchors.push_back(*under_);
 }
 
-void SelectionTool::draw(QPainter& painter) const {
+void SelectionTool::draw(QPainter& painter, const QRectF&) const {
   if (!isActive() || !mouse_) return;
   const SelectionBrushSettings& settings = brush_.settings();
   const QColor colour = !under_                     ? QColor(160, 164, 170)

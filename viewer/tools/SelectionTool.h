@@ -5,34 +5,29 @@
 // Left drag: add to the region; with Shift, take away. Other modifiers are left to the view.
 
 #include <optional>
-#include <vector>
-
-#include <QPainter>
-#include <QPointF>
 
 #include "rendering/scene/Focus.h"
-#include "viewer/tools/SpaceCanvas.h"
-
-class QMouseEvent;
+#include "viewer/tools/Tool.h"
 
 namespace fenestra::viewer {
 
+class Canvas;
 class Document;
 class SelectionBrush;
 
-class SelectionTool {
+class SelectionTool : public Tool {
  public:
-  SelectionTool(SelectionBrush& brush, Document& document, SpaceCanvas canvas);
+  /// All outlive this.
+  SelectionTool(SelectionBrush& brush, Document& document, Canvas& canvas);
 
-  /// Handle an event. True: the tool has taken it, and the view must ignore it.
-  bool press(const QMouseEvent& event);
-  bool move(const QMouseEvent& event);
-  bool release(const QMouseEvent& event);
-  void leave();
-
-  bool isPainting() const { return stroke_.has_value(); }
+  bool press(const QMouseEvent& event) override;
+  void drag(const QMouseEvent& event) override;
+  void release(const QMouseEvent& event) override;
+  void hover(const QMouseEvent& event) override;
+  void leave() override;
+  std::optional<Qt::CursorShape> pointer(QPointF position) const override;
   /// The ball under the mouse, and the stroke so far.
-  void draw(QPainter& painter) const;
+  void draw(QPainter& painter, const QRectF& view) const override;
 
  private:
   bool isActive() const;
@@ -40,9 +35,9 @@ class SelectionTool {
 
   SelectionBrush& brush_;
   Document& document_;
-  SpaceCanvas canvas_;
+  Canvas& canvas_;
   std::optional<QPointF> mouse_;           ///< empty outside the view
-  std::optional<glm::dvec3> under_;        ///< what the view shows there
+  std::optional<glm::dvec3> under_;        ///< the point that the view shows there
   std::optional<SelectionStroke> stroke_;  ///< being painted
 };
 

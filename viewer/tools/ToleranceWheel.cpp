@@ -12,10 +12,10 @@ constexpr int pauseMilliseconds = 700;
 
 }  // namespace
 
-ToleranceWheel::ToleranceWheel(Document& document, QObject* parent) : QObject(parent), document_(document) {
+ToleranceWheel::ToleranceWheel(Document& document) : document_(document) {
   pause_.setSingleShot(true);
   pause_.setInterval(pauseMilliseconds);
-  connect(&pause_, &QTimer::timeout, this, [this] { document_.history().endGesture(); });
+  QObject::connect(&pause_, &QTimer::timeout, &pause_, [this] { document_.history().endGesture(); });
 }
 
 bool ToleranceWheel::wheel(const QWheelEvent& event) {

@@ -2,27 +2,25 @@
 // Alt+wheel over a picture changes the tolerance of the region in focus. Notches in quick succession are one step of
 // the history.
 
-#include <QObject>
 #include <QTimer>
 
-class QWheelEvent;
+#include "viewer/tools/Tool.h"
 
 namespace fenestra::viewer {
 
 class Document;
 
-class ToleranceWheel : public QObject {
-  Q_OBJECT
+class ToleranceWheel : public Tool {
  public:
-  explicit ToleranceWheel(Document& document, QObject* parent = nullptr);
+  /// `document` outlives this.
+  explicit ToleranceWheel(Document& document);
 
-  /// True: the event was for the tolerance.
-  bool wheel(const QWheelEvent& event);
+  bool wheel(const QWheelEvent& event) override;
 
  private:
   Document& document_;
   QTimer pause_;        ///< runs out when the turning has ended
-  double angle_ = 0.0;  ///< that is not yet a whole step, in eighths of a degree
+  double angle_ = 0.0;  ///< turned by, less whole steps; eighths of a degree
 };
 
 }  // namespace fenestra::viewer

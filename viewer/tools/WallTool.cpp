@@ -1,29 +1,32 @@
 #include "viewer/tools/WallTool.h"
 
 #include <limits>
-#include <utility>
 
 #include <QMouseEvent>
 
 #include "rendering/scene/Walls.h"
+#include "viewer/model/ActiveTool.h"
 #include "viewer/model/Document.h"
 #include "viewer/model/SliceCursor.h"
+#include "viewer/model/ViewOptions.h"
 #include "viewer/style/Overlay.h"
+#include "viewer/tools/Canvas.h"
 #include "viewer/tools/HandleDrag.h"
 
 namespace fenestra::viewer {
 
-WallTool::WallTool(const Document& document, SliceCursor& cursor, Canvas canvas)
-    : document_(document), cursor_(cursor), canvas_(std::move(canvas)) {}
+WallTool::WallTool(const Document& document, SliceCursor& cursor, const ViewOptions& options, const ActiveTool& active,
+                   const Canvas& canvas)
+    : document_(document), cursor_(cursor), options_(options), active_(active), canvas_(canvas) {}
 
 std::vector<WallTool::Handle> WallTool::handles() const {
   std::vector<Handle> handles;
-  if (!document_.hasVolume() || !canvas_.shows()) return handles;
+  if (!document_.hasVolume() || !options_.crosshair() || active_.mode()) return handles;
   std::optional<MethodStages::Walls> walls = wallsOf(document_.look());
   if (!walls) return handles;
   walls->placement = WallPlacement::Inside;  // where the slices lie, which does not depend on the camera
   const Grid& grid = document_.scene().volume->grid;
-  const glm::dvec3 away = canvas_.axes()[1];
+  const glm::dvec3 away = canvas_.axes().forward;
   for (const Wall& wall : wallsAt(*walls, grid, {.crosshair = cursor_.position()}, Camera())) {
     const glm::dvec2 last = glm::dvec2(wall.size) - 0.5, middle = 0.5 * (last - 0.5);
     Handle handle{wall.plane, {}, grid.direction[wall.axis]};
@@ -43,7 +46,7 @@ std::vector<WallTool::Handle> WallTool::handles() const {
 }
 
 std::optional<WallTool::Handle> WallTool::handleAt(QPointF position) const {
-  return handleNear(handles(), canvas_.widgetFromWorld, position);
+  return handleNear(handles(), canvas_, position);
 }
 
 std::optional<Qt::CursorShape> WallTool::pointer(QPointF position) const {
@@ -52,7 +55,7 @@ std::optional<Qt::CursorShape> WallTool::pointer(QPointF position) const {
 }
 
 bool WallTool::press(const QMouseEvent& event) {
-  if (event.button() != Qt::LeftButton || event.modifiers() != Qt::NoModifier) return false;
+  if (event.modifiers() != Qt::NoModifier) return false;
   grip_ = handleAt(event.position());
   if (!grip_) return false;
   before_ = cursor_.position();
@@ -60,22 +63,15 @@ bool WallTool::press(const QMouseEvent& event) {
   return true;
 }
 
-bool WallTool::move(const QMouseEvent& event) {
-  if (!grip_) return false;
-  if (!document_.hasVolume()) return true;
-  const double mm =
-      draggedAlong(canvas_.widgetFromWorld, canvas_.axes()[0], grip_->at, grip_->along, event.position() - pressed_);
+void WallTool::drag(const QMouseEvent& event) {
+  if (!document_.hasVolume()) return;
+  const double mm = draggedAlong(canvas_, grip_->at, grip_->along, event.position() - pressed_);
   cursor_.moveTo(before_ + mm * grip_->along);
-  return true;
 }
 
-bool WallTool::release(const QMouseEvent& event) {
-  if (!grip_ || event.button() != Qt::LeftButton) return false;
-  grip_.reset();
-  return true;
-}
+void WallTool::release(const QMouseEvent&) { grip_.reset(); }
 
-void WallTool::draw(QPainter& painter) const {
+void WallTool::draw(QPainter& painter, const QRectF&) const {
   const std::vector<Handle> all = handles();
   if (all.empty()) return;
   painter.save();

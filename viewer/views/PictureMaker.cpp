@@ -5,15 +5,18 @@
 
 #include <QPainter>
 
+#include "rendering/Renderer.h"
+#include "rendering/gpu/GpuScene.h"
 #include "viewer/style/Overlay.h"
 #include "viewer/views/RenderProblem.h"
 #include "viewer/views/SliceView.h"
 #include "viewer/views/ViewArea.h"
+#include "viewer/views/VolumeView.h"
 
 namespace fenestra::viewer {
 namespace {
 
-constexpr double sliceMilliseconds = 20.0;  ///< of drawing between two looks at the window's events
+constexpr double sliceMilliseconds = 20.0;  ///< of drawing before the window handles events again
 
 }  // namespace
 
@@ -61,7 +64,7 @@ void PictureMaker::start(const Request& request) {
 void PictureMaker::cancel() {
   timer_.stop();
   if (renderer_ && next_ < request_.volumes.size())
-    request_.volumes[next_]->inContext([this](const auto&) { renderer_.reset(); });
+    request_.volumes[next_]->inGlContext([this](const auto&) { renderer_.reset(); });
   renderer_.reset();
 }
 
@@ -77,9 +80,9 @@ void PictureMaker::advance() {
   if (next_ < request_.volumes.size()) {
     VolumeView& view = *request_.volumes[next_];
     std::vector<std::uint8_t> pixels;
-    const bool ran = view.inContext([&](const std::shared_ptr<GpuScene>& gpuScene) {
+    const bool ran = view.inGlContext([&](const std::shared_ptr<GpuScene>& gpuScene) {
       if (!renderer_) {
-        renderer_.emplace(gpuScene);
+        renderer_ = std::make_unique<Renderer>(gpuScene);
         begin(view);
         renderer_->begin(view.shownScene(), view_);
       }

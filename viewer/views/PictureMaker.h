@@ -1,20 +1,25 @@
 #pragma once
 // Pictures of the views at any size, as they look on screen, drawn a little at a time so that the window answers.
 
-#include <optional>
+#include <cstdint>
+#include <memory>
 #include <vector>
 
 #include <QImage>
 #include <QObject>
 #include <QTimer>
 
-#include "rendering/Renderer.h"
-#include "viewer/views/VolumeView.h"
+#include "rendering/scene/View.h"
+
+namespace fenestra {
+class Renderer;
+}
 
 namespace fenestra::viewer {
 
 class SliceView;
 class ViewArea;
+class VolumeView;
 
 class PictureMaker : public QObject {
   Q_OBJECT
@@ -39,7 +44,7 @@ class PictureMaker : public QObject {
   bool isMaking() const { return timer_.isActive(); }
 
  Q_SIGNALS:
-  /// Of the present request: opaque, RGB.
+  /// The picture of the present request: opaque, RGB.
   void made(const QImage& picture);
   /// There is no picture; `problem` is one line.
   void failed(const QString& problem);
@@ -54,8 +59,8 @@ class PictureMaker : public QObject {
   ViewArea& views_;
   Request request_;
   QImage picture_;
-  std::size_t next_ = 0;              ///< of request_.volumes
-  std::optional<Renderer> renderer_;  ///< of the view being drawn
+  std::size_t next_ = 0;                ///< the next of request_.volumes
+  std::unique_ptr<Renderer> renderer_;  ///< draws the present view
   View view_;
   QTimer timer_;
 };

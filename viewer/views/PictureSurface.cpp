@@ -53,7 +53,7 @@ class RasterSurface : public QWidget, public PictureSurface {
   }
   void show(Renderer&) override {
     QPainter painter(this);
-    // Until a picture of the size of a resized view is there, the one before is stretched.
+    // After a resize the last picture is stretched, until one of the new size is drawn.
     const glm::ivec2 size = devicePixels(*this);
     painter.setRenderHint(QPainter::SmoothPixmapTransform, image_.size() != QSize(size.x, size.y));
     painter.drawImage(rect(), image_);
@@ -68,14 +68,14 @@ class RasterSurface : public QWidget, public PictureSurface {
  protected:
   void paintEvent(QPaintEvent*) override {
     calls_.paint();
-    // The window puts what was painted onto the screen before it handles another event.
+    // The window brings the painted picture onto the screen before it handles another event.
     if (!isGrabbing_) QMetaObject::invokeMethod(this, calls_.shown, Qt::QueuedConnection);
   }
 
  private:
   Calls calls_;
   std::vector<std::uint8_t> pixels_;
-  QImage image_;  ///< of pixels_, without a copy
+  QImage image_;  ///< shows pixels_ without a copy
   bool isGrabbing_ = false;
 };
 

@@ -24,7 +24,7 @@ class PictureSurface {
  public:
   struct Calls {
     std::function<void()> paint;  ///< paints the widget: calls show(), and a QPainter of widget() draws over that
-    std::function<void()> shown;  ///< what was painted is on the screen
+    std::function<void()> shown;  ///< the painted picture is on the screen
   };
   /// Fills `view` and leaves the mouse to it; belongs to it. `software`: the CPU draws.
   static PictureSurface* make(bool software, QWidget& view, Calls calls);

@@ -7,6 +7,7 @@
 #include <QElapsedTimer>
 
 #include "viewer/views/RenderProblem.h"
+#include "viewer/views/ScenePreparation.h"
 #include "viewer/views/VolumeView.h"
 
 namespace fenestra::viewer {
@@ -15,12 +16,12 @@ namespace {
 /// Time that one slice may block the window: a frame at 30 Hz (33 ms), less a margin for slices slower than the last.
 constexpr double sliceMilliseconds = 20.0;
 constexpr std::size_t mostPerSlice = 256;
-constexpr int turnMilliseconds = 4;  ///< that a slice waits for the context, so as not to ask without a pause
+constexpr int turnMilliseconds = 4;  ///< before a slice asks for the context again
 
 }  // namespace
 
 PlacementRenderer::~PlacementRenderer() {
-  view_.inContext([this](const std::shared_ptr<GpuScene>&) {
+  view_.inGlContext([this](const std::shared_ptr<GpuScene>&) {
     placer_.reset();
     renderer_.reset();
   });
@@ -28,7 +29,7 @@ PlacementRenderer::~PlacementRenderer() {
 
 void PlacementRenderer::run(const std::function<void(const std::shared_ptr<GpuScene>&)>& work) {
   try {
-    if (!view_.inContext(work)) throw std::runtime_error("the 3-D views are not on screen");
+    if (!view_.inGlContext(work)) throw std::runtime_error("the 3-D views are not on screen");
   } catch (const std::exception& error) {
     throw std::runtime_error(describeRenderProblem(error).toStdString());
   }
@@ -58,7 +59,7 @@ void PlacementRenderer::start() {
 bool PlacementRenderer::advance() {
   ScenePreparation& preparation = view_.preparation();
   if (preparation.isBusy()) {
-    preparation.context().waitFor(turnMilliseconds);
+    preparation.glContext().waitFor(turnMilliseconds);
     return false;
   }
   if (waiting_) {

@@ -41,7 +41,7 @@ class PlacementRenderer : public PlacementBackend {
   };
 
   VolumeView& view_;
-  std::optional<Order> waiting_;  ///< for the context
+  std::optional<Order> waiting_;  ///< waits for the context
   bool isStarting_ = false;
   std::exception_ptr failure_;
   std::optional<placement::Placer> placer_;

@@ -11,6 +11,7 @@
 #include "rendering/scene/Framing.h"
 #include "rendering/scene/Thinned.h"
 #include "viewer/style/Overlay.h"
+#include "viewer/views/ScenePreparation.h"
 #include "viewer/views/VolumeView.h"
 
 namespace fenestra::viewer {
@@ -19,7 +20,7 @@ namespace {
 constexpr int pollMilliseconds = 15;
 constexpr int mostVoxels = 96;  ///< along a side: as many as a preview has pixels
 
-/// The volume as the views show it, without what its table hides, of few voxels.
+/// The volume as the views show it, without a CT's table, in few voxels.
 std::shared_ptr<const Volume> smallVolume(const Scene& scene) {
   const ShownVolume shown = shownVolume(scene);
   const glm::ivec3 factor = (shown.volume->grid.dims + mostVoxels - 1) / mostVoxels;
@@ -44,15 +45,15 @@ struct PreviewRenderer::Order {
   Scene scene;
   std::vector<LookMaker> looks;
   QSize size;
-  std::shared_ptr<GpuScene> views;  ///< what the views draw: its programs and schedule serve here, too
-  std::size_t next = 0;             ///< of `looks`
+  std::shared_ptr<GpuScene> views;  ///< the views' scene, whose programs and schedule are used here, too
+  std::size_t next = 0;             ///< the next of `looks`
 
   std::shared_ptr<const Volume> small{};
   std::shared_ptr<GpuScene> gpuScene{};
   std::optional<Renderer> renderer{};
   Look look{};
   bool isBegun = false;
-  QImage picture{};  ///< of the next look, once it is done
+  QImage picture{};  ///< the next look's, once it is done
 
   /// Draws until the next picture is done or `stop` is set.
   void draw(const std::atomic<bool>& stop);
@@ -101,7 +102,7 @@ void PreviewRenderer::request(const Scene& scene, std::vector<LookMaker> looks, 
 void PreviewRenderer::release() {
   timer_.stop();
   if (!order_) return;
-  view_.inContext([&](const auto&) {
+  view_.inGlContext([&](const auto&) {
     order_->renderer.reset();
     order_->gpuScene.reset();
   });

@@ -1,6 +1,6 @@
 #pragma once
-// Draws previews of looks in the pictures' OpenGL context, on another thread and from a copy of the volume with few
-// voxels: the views keep what they have on the GPU.
+// Draws previews of looks in the pictures' OpenGL context, on another thread, from a copy of the volume with few
+// voxels, so that the views' own voxels stay on the GPU.
 
 #include <memory>
 
@@ -26,7 +26,7 @@ class PreviewRenderer : public QObject, public PreviewBackend {
  private:
   struct Order;
   void goOn();
-  /// Frees what the order has on the GPU.
+  /// Frees the order's objects on the GPU.
   void release();
 
   VolumeView& view_;

@@ -1,6 +1,6 @@
 #pragma once
 // The picture of a 3-D view: drawn at once while something moves, and refined in slices of time while nothing does.
-// What is shown stays until a better picture is done.
+// The picture shown stays until a better one is done.
 
 #include <array>
 #include <memory>
@@ -16,8 +16,8 @@ class RefinedPicture {
  public:
   explicit RefinedPicture(const std::shared_ptr<GpuScene>& gpuScene);
 
-  /// Draws at once and shows it. A picture at full quality is kept while others are shown, so that the next one at full
-  /// quality re-uses of it what it can. Drops what is being refined.
+  /// Draws at once and shows the picture. Drops a picture that is being refined. The last picture at full quality is
+  /// kept while others are shown, so that the next one at full quality can reuse parts of it.
   void draw(const Scene& scene, const View& view, bool full);
   /// Starts a picture beside the one shown, to be shown when it is done.
   void refine(const Scene& scene, const View& view, bool full);
@@ -26,7 +26,7 @@ class RefinedPicture {
   bool isRefining() const { return refining_.has_value(); }
   void drop();
 
-  /// The picture shown is one at full quality of this view: of a changed scene, only the change need be drawn.
+  /// The picture shown is at full quality and of this view, so that after a change only the change is drawn.
   bool showsFull(const View& view) const;
   bool isShown() const { return shownView().size.x > 0; }
   Renderer& shown() { return pictures_[shown_].renderer; }

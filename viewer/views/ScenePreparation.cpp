@@ -16,7 +16,7 @@
 namespace fenestra::viewer {
 namespace {
 
-/// What of a method decides on programs.
+/// The parts of a method that decide on programs.
 Method programsOf(const Method& method) {
   Method result;
   result.kind = method.kind;
@@ -26,7 +26,7 @@ Method programsOf(const Method& method) {
   return result;
 }
 
-/// A few voxels of CT with a focus of the kind: what draws them draws a patient.
+/// A few voxels of CT with a focus of the kind; the programs that draw them also draw a patient.
 Scene sampleScene(const Focus& kind) {
   constexpr int side = 16;
   auto volume = std::make_shared<Volume>();
@@ -65,8 +65,8 @@ View middleOf(View view) {
   return view;
 }
 
-/// Brings `gpuScene` up to date. Whether only a focus has changed by it, and the programs that drew the one before draw
-/// this one: drivers compile programs again for other textures.
+/// Brings `gpuScene` up to date. True where only the focus has changed and its textures are of the kind they were: for
+/// others, drivers compile the programs again.
 bool followsFocus(GpuScene& gpuScene, const Scene& scene) {
   GpuScene::Versions before = gpuScene.versions();
   const bool hadNormals{gpuScene.focusSmooth()};
@@ -82,14 +82,14 @@ bool followsFocus(GpuScene& gpuScene, const Scene& scene) {
 ScenePreparation::ScenePreparation(ChooseSchedule chooseSchedule) : chooseSchedule_(std::move(chooseSchedule)) {}
 
 ScenePreparation::~ScenePreparation() {
-  context_.run([this] { gpuScene_.reset(); });
+  glContext_.run([this] { gpuScene_.reset(); });
 }
 
 ScenePreparation::Kind ScenePreparation::kindOf(const Scene& scene, const View& view) {
   const Look& look = scene.look;
   const auto* labels = std::get_if<LabelFocus>(&look.focus);
   ShownVolume volume = shownVolume(scene);
-  volume.removed = nullptr;  // the same programs draw what is left
+  volume.removed = nullptr;  // what remains is drawn by the same programs
   return {.volume = std::move(volume),
           .focus = look.focus.index(),
           .manyLabels = labels && labels->labels.size() > 1,
@@ -119,8 +119,8 @@ bool ScenePreparation::isKnown(const Kind& kind) const {
 
 bool ScenePreparation::isReady(const Scene& scene, const View& view) {
   if (failure_ && failed_ == shownVolume(scene)) std::rethrow_exception(failure_);
-  if (context_.isBusy()) {
-    if (isAhead_) context_.askToStop();
+  if (glContext_.isBusy()) {
+    if (isAhead_) glContext_.askToStop();
     return false;
   }
   const Kind kind = kindOf(scene, view);
@@ -131,7 +131,8 @@ bool ScenePreparation::isReady(const Scene& scene, const View& view) {
 }
 
 Scene ScenePreparation::held(Scene scene) const {
-  if (!prepared_ || scheduledFor_.lock() != scene.volume || context_.isBusy() || gpuScene_->holds(scene)) return scene;
+  if (!prepared_ || scheduledFor_.lock() != scene.volume || glContext_.isBusy() || gpuScene_->holds(scene))
+    return scene;
   Scene earlier = scene;
   earlier.labels = prepared_->labels;
   earlier.structures = prepared_->structures;
@@ -146,7 +147,7 @@ Scene ScenePreparation::held(Scene scene) const {
 
 void ScenePreparation::prepareAhead(const Scene& scene, const View& view) {
   const Kind kind = kindOf(scene, view);
-  if (context_.isBusy()) return;
+  if (glContext_.isBusy()) return;
   if (isKnown(kind)) return goOn();
   isAhead_ = true;
   start(scene, view, kind);
@@ -167,10 +168,10 @@ void ScenePreparation::warmUp(const std::vector<Focus>& kinds, Quality atRest, s
 }
 
 void ScenePreparation::goOn() {
-  if (context_.isBusy() || samples_.empty()) return;
+  if (glContext_.isBusy() || samples_.empty()) return;
   isAhead_ = true;
   auto isDone = std::make_shared<bool>(false);
-  context_.runBehind(
+  glContext_.runBehind(
       [this, sample = samples_.front(), isDone](const std::atomic<bool>& stop) {
         const auto gpuScene = std::make_shared<GpuScene>(gpuScene_->programs());
         Renderer trial(gpuScene);
@@ -178,18 +179,18 @@ void ScenePreparation::goOn() {
         while (!*isDone && !stop) *isDone = trial.advance(0.0);
       },
       [this, isDone](std::exception_ptr error) {
-        // A driver that refuses programs is told of when a picture needs them.
+        // A driver's error is reported once a picture needs the programs.
         if (error) samples_.clear();
         if (!*isDone) return;
         samples_.pop_front();
-        if (!context_.isAskedToStop()) goOn();
+        if (!glContext_.isAskedToStop()) goOn();
       });
 }
 
-void ScenePreparation::runBehind(RenderContext::Work work, RenderContext::Done done) {
-  context_.stop();
+void ScenePreparation::runBehind(GlContext::Work work, GlContext::Done done) {
+  glContext_.stop();
   isAhead_ = false;
-  context_.runBehind(std::move(work), std::move(done));
+  glContext_.runBehind(std::move(work), std::move(done));
 }
 
 void ScenePreparation::forgetFailure() {
@@ -198,13 +199,13 @@ void ScenePreparation::forgetFailure() {
 }
 
 void ScenePreparation::start(const Scene& scene, const View& view, const Kind& kind) {
-  // Programs of another volume are compiled again in no time where they are the same.
+  // For another volume, compiling the same programs again takes almost no time.
   std::erase_if(known_, [&](const Kind& known) { return known.volume != kind.volume; });
   const bool isNew = scheduledFor_.lock() != scene.volume;
   const bool hasPrograms = isKnown(kind);
   scheduledFor_ = scene.volume;
   auto isDone = std::make_shared<bool>(false);
-  context_.runBehind(
+  glContext_.runBehind(
       [this, scene, view, isNew, hasPrograms, isDone](const std::atomic<bool>& stop) {
         if (isNew && chooseSchedule_) chooseSchedule_(gpuScene_, scene, view);
         if (hasPrograms && followsFocus(*gpuScene_, scene)) return;

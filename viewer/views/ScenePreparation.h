@@ -11,54 +11,51 @@
 #include "rendering/ViewSampling.h"
 #include "rendering/gpu/GpuScene.h"
 #include "rendering/scene/View.h"
-#include "viewer/views/RenderContext.h"
+#include "viewer/views/ChooseSchedule.h"
+#include "viewer/views/GlContext.h"
 
 namespace fenestra::viewer {
 
 class ScenePreparation {
  public:
-  /// Makes a new volume's shaders follow the schedule that suits this machine; called with the context current.
-  using ChooseSchedule = std::function<void(const std::shared_ptr<GpuScene>&, const Scene&, const View&)>;
-
-  /// `chooseSchedule` may be empty.
   explicit ScenePreparation(ChooseSchedule chooseSchedule);
   ~ScenePreparation();
 
-  RenderContext& context() { return context_; }
+  GlContext& glContext() { return glContext_; }
   const std::shared_ptr<GpuScene>& gpuScene() const { return gpuScene_; }
 
   /// True: the picture can be drawn now, and its renderer will not be held up. False: another thread prepares it, or
-  /// does other work; ask again when the context is freed(). Throws what preparing this volume has failed with.
+  /// does other work; ask again when the context is freed(). Throws the error that preparing this volume ended with.
   bool isReady(const Scene& scene, const View& view);
   /// Compiles for a picture that may follow, unless something else is under way or asked for meanwhile.
   void prepareAhead(const Scene& scene, const View& view);
   /// Compiles what draws a CT with each kind of focus, the first one first, while nothing else is asked for.
   void warmUp(const std::vector<Focus>& kinds, Quality atRest, std::optional<double> maxError);
-  /// Other work in the context on another thread; see RenderContext. Work for a picture that may follow ends first.
-  void runBehind(RenderContext::Work work, RenderContext::Done done);
-  /// Another thread has the context, for something that is waited for.
-  bool isBusy() const { return context_.isBusy() && !isAhead_; }
-  /// `scene` as far as the device holds it: with the focus that was prepared last, or peeled as far, where that of
-  /// `scene` is still to be prepared.
+  /// Other work in the context on another thread; see GlContext. Work for a picture that may follow ends first.
+  void runBehind(GlContext::Work work, GlContext::Done done);
+  /// Another thread has the context, and a view waits for its work.
+  bool isBusy() const { return glContext_.isBusy() && !isAhead_; }
+  /// `scene` as far as the device holds it: where its focus or its peeled layer is not prepared yet, with those that
+  /// were prepared last.
   Scene held(Scene scene) const;
-  /// Of the last scene that was prepared.
+  /// The schedule of the last scene that was prepared.
   Schedule schedule() const { return schedule_; }
-  /// Another attempt may do better than the one that failed.
+  /// Lets a volume that could not be prepared be tried again.
   void forgetFailure();
 
  private:
-  /// What decides on the programs that draw a picture.
+  /// Everything that decides which programs draw a picture.
   struct Kind {
     ShownVolume volume;
     std::size_t focus = 0;
     bool manyLabels = false, smoothed = false, byValue = false, protects = false, faint = false, lit = false,
          cutaway = false;
-    Method method{};        ///< of it, without its numbers
+    Method method{};        ///< its kind and switches, without its numbers
     bool occluded = false;  ///< ambient occlusion or shadows
     bool contextLayer = false;
     int clipped = 0;       ///< 2: with grey faces
-    bool exempts = false;  ///< labels from that
-    bool levels = false;   ///< of importance
+    bool exempts = false;  ///< clipping spares some labels
+    bool levels = false;   ///< several levels of importance
     bool apart = false;    ///< another camera cuts the opening
     bool smoothEdges = false;
     ViewSampling sampling{};
@@ -80,11 +77,11 @@ class ScenePreparation {
     Scene scene;
     View view;
   };
-  std::deque<Sample> samples_;  ///< to be compiled for
-  bool isAhead_ = false;        ///< the work behind is for a picture that nobody waits for
+  std::deque<Sample> samples_;  ///< pictures whose programs are to be compiled
+  bool isAhead_ = false;        ///< the background work is for a picture that is not due yet
   std::exception_ptr failure_;
   ShownVolume failed_;
-  RenderContext context_;
+  GlContext glContext_;
 };
 
 }  // namespace fenestra::viewer

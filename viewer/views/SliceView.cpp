@@ -4,19 +4,12 @@
 #include <cmath>
 #include <utility>
 
-#include <QPainter>
-
 #include "rendering/scene/Outline.h"
-#include "viewer/model/Document.h"
-#include "viewer/model/MeasureMode.h"
 #include "viewer/model/OpeningEdge.h"
-#include "viewer/model/PatientLines.h"
-#include "viewer/model/SelectionBrush.h"
-#include "viewer/model/SliceCursor.h"
-#include "viewer/model/ViewOptions.h"
+#include "viewer/model/Workspace.h"
 #include "viewer/style/FocusRing.h"
-#include "viewer/style/InterpolatedPlanes.h"
 #include "viewer/style/Overlay.h"
+#include "viewer/tools/Canvas.h"
 
 namespace fenestra::viewer {
 namespace {
@@ -31,7 +24,7 @@ QRgb blend(int grey, glm::dvec3 colour, int percent) {
   return qRgb(channel(colour.r), channel(colour.g), channel(colour.b));
 }
 
-/// Lines in pixels whose centres are whole numbers, in pixels from the picture's corner.
+/// Turns pixels whose centres are whole numbers into pixels from the picture's corner.
 QList<QPolygonF> polygonsOf(const std::vector<std::vector<glm::dvec2>>& loops) {
   QList<QPolygonF> polygons;
   for (const std::vector<glm::dvec2>& loop : loops) {
@@ -43,35 +36,19 @@ QList<QPolygonF> polygonsOf(const std::vector<std::vector<glm::dvec2>>& loops) {
 
 }  // namespace
 
-SliceView::SliceView(SlicePlane plane, Document& document, SliceCursor& cursor, ViewOptions& options, Carving& carving,
-                     SelectionBrush& selection, MeasureMode& measuring, OpeningEdge& opening, QWidget* parent)
+SliceView::SliceView(SlicePlane plane, Workspace& workspace, OpeningEdge& opening, QWidget* parent)
     : QWidget(parent),
-      document_(document),
-      cursor_(cursor),
-      options_(options),
+      document_(workspace.document),
+      cursor_(workspace.cursor),
+      options_(workspace.options),
       opening_(opening),
-      carving_(carving),
-      carveTool_(carving, document, spaceCanvas()),
-      clipTool_(document,
-                {.widgetFromWorld = [this](glm::dvec3 world) { return std::optional(widgetFromWorld(world)); },
-                 .axes =
-                     [this] {
-                       return std::array{glm::normalize(geometry_.right), -glm::normalize(geometry_.down)};
-                     },
-                 .section = [this]() -> std::optional<ClipTool::Canvas::Section> {
-                   return ClipTool::Canvas::Section{geometry_.worldFromPixel(0.0, 0.0, slice_),
-                                                    glm::normalize(glm::cross(geometry_.right, geometry_.down))};
-                 },
-                 .shows = [this] { return options_.clipHandles(); }}),
-      measureTool_(measuring, document,
-                   {.widgetFromWorld = [this](glm::dvec3 world) { return widgetFromWorld(world); },
-                    .worldFromWidget = [this](QPointF position) { return worldFromWidget(position); },
-                    .geometry = [this]() -> const SliceGeometry& { return geometry_; },
-                    .slice = [this] { return slice_; },
-                    .shows = [this] { return options_.measures(); }}),
-      selection_(selection),
-      selectionTool_(selection, document, spaceCanvas()),
-      toleranceWheel_(document) {
+      canvas_(makeCanvas()),
+      carveTool_(workspace.carving, document_, *canvas_),
+      selectionTool_(workspace.selection, document_, *canvas_),
+      toleranceWheel_(document_),
+      clipTool_(document_, options_, workspace.tool, *canvas_),
+      measureTool_(workspace.measuring, document_, options_, *canvas_),
+      tools_({&carveTool_, &selectionTool_, &toleranceWheel_, &clipTool_, &measureTool_}) {
   geometry_.plane = plane;
   setMouseTracking(true);
   setFocusPolicy(Qt::StrongFocus);
@@ -79,34 +56,36 @@ SliceView::SliceView(SlicePlane plane, Document& document, SliceCursor& cursor, 
   setAttribute(Qt::WA_OpaquePaintEvent);
   setObjectName(QStringLiteral("slice%1").arg(static_cast<int>(plane)));
 
-  connect(&document, &Document::volumeChanged, this, &SliceView::readGeometry);
-  connect(&document, &Document::windowChanged, this, &SliceView::invalidate);
-  connect(&document, &Document::focusChanged, this, &SliceView::invalidate);
-  connect(&document, &Document::labelSettingsChanged, this, &SliceView::invalidate);
-  connect(&document, &Document::labelsChanged, this, [this] {
+  connect(&document_, &Document::volumeChanged, this, &SliceView::readGeometry);
+  connect(&document_, &Document::windowChanged, this, &SliceView::invalidate);
+  connect(&document_, &Document::focusChanged, this, &SliceView::invalidate);
+  connect(&document_, &Document::labelSettingsChanged, this, &SliceView::invalidate);
+  connect(&document_, &Document::labelsChanged, this, [this] {
     labels_.clear();
     invalidate();
   });
-  connect(&options, &ViewOptions::changed, this, &SliceView::invalidate);
-  connect(&cursor, &SliceCursor::moved, this, &SliceView::followCursor);
-  connect(&document, &Document::measuresChanged, this, [this] { update(); });
-  connect(&document, &Document::clippingChanged, this, [this] { update(); });
-  connect(&document, &Document::removalsChanged, this, [this] {
+  connect(&options_, &ViewOptions::changed, this, &SliceView::invalidate);
+  connect(&cursor_, &SliceCursor::moved, this, &SliceView::followCursor);
+  connect(&document_, &Document::measuresChanged, this, [this] { update(); });
+  connect(&document_, &Document::clippingChanged, this, [this] { update(); });
+  connect(&document_, &Document::removalsChanged, this, [this] {
     removedOutline_.reset();
     update();
   });
-  connect(&carving, &Carving::changed, this, [this] { update(); });
   connect(&opening, &OpeningEdge::changed, this, [this] {
     openingOutline_.reset();
     update();
   });
-  connect(&selection, &SelectionBrush::changed, this, qOverload<>(&QWidget::update));
-  connect(&measuring, &MeasureMode::changed, this, [this] {
-    setCursor(measureTool_.pointer(last_));
+  const auto showTools = [this] {
+    setCursor(tools_.pointer(last_));
     update();
-  });
+  };
+  connect(&workspace.tool, &ActiveTool::changed, this, showTools);
+  connect(&workspace.measuring, &MeasureMode::changed, this, showTools);
   readGeometry();
 }
+
+SliceView::~SliceView() = default;
 
 void SliceView::readGeometry() {
   if (!document_.hasVolume()) return;
@@ -179,7 +158,7 @@ class SliceView::Tints {
     static const Tint none;
     const float value = view_.values_[pixel];
     if (values_ && value >= values_->low && value <= values_->high) return focus_;
-    // 0, no step, lies beyond all others then.
+    // Makes 0, which stands for no step, greater than all steps.
     if (!view_.steps_.empty() && static_cast<std::uint16_t>(view_.steps_[pixel] - 1) < lastStep_) return focus_;
     return labels_.empty() ? none : labels_[view_.labels_[pixel]];
   }
@@ -286,147 +265,6 @@ glm::dvec3 SliceView::worldFromWidget(QPointF position) const {
 bool SliceView::inPicture(glm::dvec3 world) const {
   const glm::dvec3 pixel = geometry_.pixelFromWorld(world);
   return pixel.x >= -0.5 && pixel.y >= -0.5 && pixel.x < geometry_.width - 0.5 && pixel.y < geometry_.height - 0.5;
-}
-
-void SliceView::paintEvent(QPaintEvent*) {
-  QPainter painter(this);
-  draw(painter, true);
-  // Here and not among the marks: saved pictures name nobody.
-  if (document_.hasVolume() && options_.text() && !options_.hidesPatient())
-    drawStudyText(painter, rect(), patientLines(document_.study().patient, document_.study().series), 1);
-  if (document_.hasVolume() && hasFocus()) {
-    painter.setPen(QColor(86, 140, 190));
-    painter.drawRect(rect().adjusted(0, 0, -1, -1));
-  }
-}
-
-void SliceView::draw(QPainter& painter, bool marks) {
-  painter.fillRect(rect(), Qt::black);
-  if (!document_.hasVolume()) return;
-  if (image_.isNull()) makeImage();
-
-  const double scale = pixelsPerMm();
-  const QPointF topLeft = QPointF(0.5 * width(), 0.5 * height()) - centre_ * scale;
-  const QRectF target(topLeft, QSizeF(geometry_.width * glm::length(geometry_.right) * scale,
-                                      geometry_.height * glm::length(geometry_.down) * scale));
-  painter.setRenderHint(QPainter::SmoothPixmapTransform);
-  painter.drawImage(target, image_);
-
-  drawOutlines(painter);
-  const bool interpolated = drawInterpolated(painter, target);
-  if (marks) drawMarks(painter, interpolated);
-}
-
-void SliceView::drawMarks(QPainter& painter, bool interpolated) const {
-  if (options_.labels()) drawSeeds(painter);
-  if (options_.crosshair()) drawCrosshair(painter);
-  measureTool_.draw(painter, rect());
-  clipTool_.draw(painter);
-  carveTool_.draw(painter);
-  selectionTool_.draw(painter);
-
-  const QRectF view = rect();
-  drawEdgeLetters(painter, view, geometry_.right, geometry_.down);
-  drawScaleBar(painter, view, 1.0 / pixelsPerMm());
-  QStringList title{planeName(geometry_.plane)};
-  if (interpolated) title << tr("Interpolated, not scanned");
-  if (options_.text()) {
-    title << tr("%1 / %2").arg(slice_ + 1).arg(geometry_.count).replace(QLatin1Char(' '), QChar(QChar::Nbsp));
-    drawCorner(painter, view, Qt::AlignBottom | Qt::AlignLeft, windowText(painter.fontMetrics()), overlayGrey);
-    if (geometry_.plane != SlicePlane::Sagittal) {  // where left and right could be mistaken
-      const QString convention = tr("Radiological");
-      if (fitsBesideLetter(painter, view, convention))
-        drawCorner(painter, view, Qt::AlignTop | Qt::AlignRight, {convention}, overlayGrey);
-      else
-        title << convention;
-    }
-  }
-  drawCorner(painter, view, Qt::AlignTop | Qt::AlignLeft, title, planeColour(geometry_.plane));
-}
-
-void SliceView::drawOutlines(QPainter& painter) const {
-  if (!options_.labels()) return;
-  painter.save();
-  painter.setRenderHint(QPainter::Antialiasing);
-  painter.setBrush(Qt::NoBrush);
-  // Line by line, and no wider than a pixel where the line allows: Qt draws those ten times as fast as one path of all
-  // lines, and lines of a focus by values are many.
-  const auto drawLines = [&painter](const QList<QPolygonF>& lines, const QPen& pen) {
-    painter.setPen(pen);
-    for (const QPolygonF& line : lines) painter.drawPolygon(line);
-  };
-  const QList<QPolygonF> opening = openingEdge().toSubpathPolygons();
-  QPen dashes(toColour(document_.look().cutaway.borderColour), 1.0);
-  dashes.setDashPattern({6.0, 5.0});
-  // A dark line below, so that the dashes show on bone.
-  drawLines(opening, QPen(QColor(0, 0, 0, 150), 2.4));
-  drawLines(opening, dashes);
-  const QTransform transform = widgetFromPixels();
-  QList<QPolygonF> removed;
-  for (const QPolygonF& line : removedOutline()) removed << transform.map(line);
-  drawLines(removed, QPen(QColor(0, 0, 0, 150), 2.4));
-  drawLines(removed, QPen(QColor(255, 170, 110), 1.0));
-  QList<QPolygonF> outline;
-  for (const QPolygonF& line : outline_) outline << transform.map(line);
-  drawLines(outline, QPen(QColor(255, 240, 190), 1.0));
-  painter.restore();
-}
-
-QStringList SliceView::windowText(const QFontMetrics& metrics) const {
-  const WindowLevel window = document_.window();
-  const int decimals = window.width < 10.0 ? 2 : 0;
-  QString level = tr("L %1").arg(window.level, 0, 'f', decimals);
-  if (const std::string& unit = document_.scene().volume->unit; !unit.empty())
-    level += QLatin1Char(' ') + QString::fromStdString(unit);
-  QStringList parts{tr("W %1").arg(window.width, 0, 'f', decimals), level};
-  if (document_.isInverted()) parts << tr("inverted");
-  // The letter of the patient's side stands in the middle of the edge.
-  const QString line = parts.join(QStringLiteral("  "));
-  const int letter = 2 * metrics.horizontalAdvance(QLatin1Char('W'));
-  return metrics.horizontalAdvance(line) + letter < width() / 2 ? QStringList{line} : parts;
-}
-
-bool SliceView::drawInterpolated(QPainter& painter, const QRectF& picture) const {
-  const std::optional<io::GeometryReport>& report = document_.study().geometry;
-  if (!report || report->interpolatedPlanes.empty()) return false;
-  const Grid& grid = document_.scene().volume->grid;
-  QTransform widgetFromPixel = QTransform::fromTranslate(picture.left(), picture.top());
-  widgetFromPixel.scale(picture.width() / geometry_.width, picture.height() / geometry_.height);
-  drawInterpolatedBands(painter, interpolatedBands(report->interpolatedPlanes, grid, geometry_, slice_),
-                        widgetFromPixel);
-  return isInterpolated(report->interpolatedPlanes, grid, geometry_, slice_);
-}
-
-void SliceView::drawCrosshair(QPainter& painter) const {
-  const QPointF at = widgetFromWorld(cursor_.position());
-  // Each line is where another plane cuts this one, in that plane's colour.
-  const SlicePlane vertical = geometry_.plane == SlicePlane::Sagittal ? SlicePlane::Coronal : SlicePlane::Sagittal;
-  const SlicePlane horizontal = geometry_.plane == SlicePlane::Axial ? SlicePlane::Coronal : SlicePlane::Axial;
-  constexpr double gap = 10.0;  // around the crossing, so that the lines do not cover the voxel
-  painter.save();
-  painter.setRenderHint(QPainter::Antialiasing, false);
-  const auto line = [&](SlicePlane plane, QPointF from, QPointF to) {
-    QColor colour = planeColour(plane);
-    colour.setAlpha(170);
-    painter.setPen(QPen(colour, 1));
-    painter.drawLine(from, to);
-  };
-  line(vertical, {at.x(), 0.0}, {at.x(), at.y() - gap});
-  line(vertical, {at.x(), at.y() + gap}, {at.x(), static_cast<double>(height())});
-  line(horizontal, {0.0, at.y()}, {at.x() - gap, at.y()});
-  line(horizontal, {at.x() + gap, at.y()}, {static_cast<double>(width()), at.y()});
-  painter.restore();
-}
-
-void SliceView::drawSeeds(QPainter& painter) const {
-  const RegionFocus* region = document_.region();
-  if (!region) return;
-  const auto draw = [&](const std::vector<glm::dvec3>& seeds, bool inside) {
-    for (const glm::dvec3 seed : seeds)
-      if (std::lround(geometry_.pixelFromWorld(seed).z) == slice_) drawSeed(painter, widgetFromWorld(seed), inside);
-  };
-  draw(region->inside, true);
-  draw(region->outside, false);
 }
 
 }  // namespace fenestra::viewer

@@ -2,11 +2,9 @@
 // One anatomical plane through the volume: grey values under the window, label colours, focus outline, crosshair.
 // Plain QWidget and QImage, so it works where 3-D cannot start.
 //
-// Left click: crosshair and focus, see clickStructure(); left drag: window/level, or a measure, see MeasureTool, or the
-// crop box and clip planes, see ClipTool, or carving, see CarveTool, or painting of the region in focus, see
-// SelectionTool;
-// middle: pan; right drag or Ctrl+wheel: zoom; wheel and arrows: slices; Alt+wheel: tolerance of the region in focus;
-// Shift+move: crosshair.
+// Left click: crosshair and focus, see clickStructure(); left drag: window/level, unless a tool takes it; middle: pan;
+// right drag or Ctrl+wheel: zoom; wheel and arrows: slices; Shift+move: crosshair. The tools: CarveTool, SelectionTool,
+// ToleranceWheel, ClipTool, MeasureTool.
 
 #include <memory>
 #include <optional>
@@ -25,21 +23,23 @@
 #include "viewer/tools/MeasureTool.h"
 #include "viewer/tools/SelectionTool.h"
 #include "viewer/tools/ToleranceWheel.h"
+#include "viewer/tools/ViewTools.h"
 
 namespace fenestra::viewer {
 
 class Document;
-class MeasureMode;
 class OpeningEdge;
-class SelectionBrush;
+class SliceCanvas;
 class SliceCursor;
 class ViewOptions;
+struct Workspace;
 
 class SliceView : public QWidget {
   Q_OBJECT
  public:
-  SliceView(SlicePlane plane, Document& document, SliceCursor& cursor, ViewOptions& options, Carving& carving,
-            SelectionBrush& selection, MeasureMode& measuring, OpeningEdge& opening, QWidget* parent = nullptr);
+  /// `workspace` and `opening` outlive this.
+  SliceView(SlicePlane plane, Workspace& workspace, OpeningEdge& opening, QWidget* parent = nullptr);
+  ~SliceView() override;
 
   SlicePlane plane() const { return geometry_.plane; }
   const SliceGeometry& sliceGeometry() const { return geometry_; }
@@ -87,7 +87,7 @@ class SliceView : public QWidget {
 
  private:
   void readGeometry();
-  /// Forgets what was read and made of the slice shown.
+  /// Drops the shown slice's data and images.
   void forgetSlice();
   void followCursor();
   void invalidate();
@@ -100,12 +100,13 @@ class SliceView : public QWidget {
   void zoomAt(QPointF position, double factor);
   void click(QPointF position, Qt::KeyboardModifiers modifiers);
   double pixelsPerMm() const;
-  /// Window and level: one line, or one for each where that would reach the edge's letter.
+  /// Window and level in one line, or in two where one would reach the edge's letter.
   QStringList windowText(const QFontMetrics& metrics) const;
   bool inPicture(glm::dvec3 world) const;
-  SpaceCanvas spaceCanvas();
+  class ToolCanvas;
+  std::unique_ptr<SliceCanvas> makeCanvas();
   const QList<QPolygonF>& removedOutline() const;
-  /// Of the focus, and of the opening.
+  /// Outlines of the focus, the opening and the removals.
   void drawOutlines(QPainter& painter) const;
   /// Crosshair, seeds, letters, scale bar and corner text.
   void drawMarks(QPainter& painter, bool interpolated) const;
@@ -125,16 +126,16 @@ class SliceView : public QWidget {
     WindowLevel window;
     bool lowIsWhite = false;
     bool operator==(const GreyLevels&) const = default;
-  } greyLevels_;                             ///< that grey_ was made with
+  } greyLevels_;                             ///< what grey_ was made with
   std::vector<std::uint8_t> grey_;           ///< the values through the window; empty until it is made
-  std::vector<std::uint16_t> labels_;        ///< of the slice; empty without labels
-  std::vector<std::uint16_t> steps_;         ///< of the region in the focus; empty without one
-  std::shared_ptr<const LabelMap> stepsOf_;  ///< that steps_ are of
+  std::vector<std::uint16_t> labels_;        ///< labels of the slice; empty without labels
+  std::vector<std::uint16_t> steps_;         ///< steps of the region in the focus; empty without one
+  std::shared_ptr<const LabelMap> stepsOf_;  ///< the map that steps_ were read from
   QImage image_;                             ///< null until it is made
-  QList<QPolygonF> outline_;                 ///< of the focus, in slice pixels from the picture's corner
+  QList<QPolygonF> outline_;                 ///< outline of the focus, in slice pixels from the picture's corner
 
   OpeningEdge& opening_;
-  /// Of what is carved away, in pixels as outline_; empty until it is found.
+  /// Outline of what is carved away, in pixels as outline_; empty until it is found.
   mutable std::optional<QList<QPolygonF>> removedOutline_;
   mutable std::optional<QList<QPolygonF>> openingOutline_;  ///< in pixels as outline_; empty until it is found
 
@@ -144,20 +145,20 @@ class SliceView : public QWidget {
   QPointF pressed_, last_;  ///< mouse positions of the press and of the last move
   WindowLevel windowAtPress_;
   bool dragging_ = false;
-  /// What the last click replaced: a double click undoes its first half.
+  /// The state before the last click, which a double click restores.
   struct BeforeClick {
     Focus focus;
     glm::dvec3 cursor;
   };
   std::optional<BeforeClick> beforeClick_;
-  Carving& carving_;
+  const std::unique_ptr<SliceCanvas> canvas_;  ///< this view, as tools see it
   CarveTool carveTool_;
+  SelectionTool selectionTool_;
+  ToleranceWheel toleranceWheel_;
   ClipTool clipTool_;
   MeasureTool measureTool_;
-  SelectionBrush& selection_;
-  SelectionTool selectionTool_;
-  bool measured_ = false;  ///< the tool took the last press
-  ToleranceWheel toleranceWheel_;
+  ViewTools tools_;
+  bool toolTookPress_ = false;
   double wheel_ = 0.0;  ///< wheel angle that is not yet a whole notch, in eighths of a degree
 };
 

@@ -7,10 +7,10 @@
 #include <QWheelEvent>
 
 #include "viewer/model/Document.h"
-#include "viewer/model/SelectionBrush.h"
 #include "viewer/model/SliceCursor.h"
 #include "viewer/model/StructureClick.h"
 #include "viewer/model/ViewOptions.h"
+#include "viewer/tools/Canvas.h"
 #include "viewer/views/SliceView.h"
 
 namespace fenestra::viewer {
@@ -23,8 +23,7 @@ constexpr double clickSlack = 4.0;
 
 void SliceView::mousePressEvent(QMouseEvent* event) {
   pressed_ = last_ = event->position();
-  measured_ =
-      carveTool_.press(*event) || selectionTool_.press(*event) || clipTool_.press(*event) || measureTool_.press(*event);
+  toolTookPress_ = tools_.press(*event);
   beforeClick_.reset();
   windowAtPress_ = document_.window();
   dragging_ = false;
@@ -34,12 +33,10 @@ void SliceView::mouseMoveEvent(QMouseEvent* event) {
   if (!document_.hasVolume()) return;
   const QPointF position = event->position(), move = position - last_, total = position - pressed_;
   last_ = position;
-  if (carveTool_.move(*event) || selectionTool_.move(*event) || clipTool_.move(*event) || measureTool_.move(*event))
-    return;
+  if (tools_.move(*event)) return;
   const Qt::MouseButtons buttons = event->buttons();
   if (buttons == Qt::NoButton) {
-    setCursor(selection_.isActive() ? Qt::CrossCursor
-                                    : clipTool_.pointer(position).value_or(measureTool_.pointer(position)));
+    setCursor(tools_.pointer(position));
     const glm::dvec3 world = worldFromWidget(position);
     if (event->modifiers() & Qt::ShiftModifier && inPicture(world)) cursor_.moveTo(world);
     if (inPicture(world))
@@ -51,7 +48,7 @@ void SliceView::mouseMoveEvent(QMouseEvent* event) {
   if (!dragging_ && std::hypot(total.x(), total.y()) <= clickSlack) return;
   dragging_ = true;
   if (buttons & Qt::LeftButton) {
-    // A drag over 250 pixels doubles the width. A very narrow window changes faster, or it could not be widened.
+    // A drag over 250 pixels doubles the width. A very narrow window changes faster, so that it can be widened at all.
     const ValueRange range = document_.scene().volume->range;
     const double perPixel = std::max(windowAtPress_.width, 0.02 * (range.high - range.low)) / 250.0;
     const double least = std::max(1e-4 * (range.high - range.low), 1e-9);
@@ -66,9 +63,7 @@ void SliceView::mouseMoveEvent(QMouseEvent* event) {
 }
 
 void SliceView::mouseReleaseEvent(QMouseEvent* event) {
-  if (carveTool_.release(*event) || selectionTool_.release(*event) || clipTool_.release(*event) ||
-      measureTool_.release(*event))
-    return;
+  if (tools_.release(*event)) return;
   if (dragging_ || !document_.hasVolume()) return;
   const glm::dvec3 world = worldFromWidget(event->position());
   if (const auto measure = measureTool_.measureAt(event->position()); measure && event->button() == Qt::RightButton) {
@@ -92,7 +87,7 @@ void SliceView::click(QPointF position, Qt::KeyboardModifiers modifiers) {
 
 void SliceView::mouseDoubleClickEvent(QMouseEvent* event) {
   if (event->button() != Qt::LeftButton || !document_.hasVolume()) return;
-  if (measured_) {  // two quick points of a measure
+  if (toolTookPress_) {  // such as two quick points of a measure
     mousePressEvent(event);
     return;
   }
@@ -117,7 +112,7 @@ void SliceView::zoomAt(QPointF position, double factor) {
 }
 
 void SliceView::wheelEvent(QWheelEvent* event) {
-  if (!document_.hasVolume() || toleranceWheel_.wheel(*event)) return;
+  if (!document_.hasVolume() || tools_.wheel(*event)) return;
   const double angle = event->angleDelta().y();
   if (event->modifiers() & Qt::ControlModifier) {
     zoomAt(event->position(), std::exp(angle * 0.0015));
@@ -155,24 +150,29 @@ void SliceView::keyPressEvent(QKeyEvent* event) {
 }
 
 void SliceView::leaveEvent(QEvent*) {
-  carveTool_.leave();
-  selectionTool_.leave();
+  tools_.leave();
   Q_EMIT left();
 }
 
-SpaceCanvas SliceView::spaceCanvas() {
-  return {.pick = [this](QPointF position) -> std::optional<glm::dvec3> {
-            if (!document_.hasVolume()) return std::nullopt;
-            const glm::dvec3 world = worldFromWidget(position);
-            return inPicture(world) ? std::optional(world) : std::nullopt;
-          },
-          .widgetFromWorld = [this](glm::dvec3 world) { return std::optional(widgetFromWorld(world)); },
-          .axes =
-              [this](glm::dvec3) {
-                const glm::dvec3 right = glm::normalize(geometry_.right), up = -glm::normalize(geometry_.down);
-                return CarvingAxes{right, up, glm::normalize(glm::cross(up, right))};
-              },
-          .redraw = [this] { update(); }};
-}
+class SliceView::ToolCanvas : public SliceCanvas {
+ public:
+  explicit ToolCanvas(SliceView& view) : view_(view) {}
+
+  const SliceGeometry& geometry() const override { return view_.geometry_; }
+  int slice() const override { return view_.slice_; }
+  QPointF onSlice(glm::dvec3 world) const override { return view_.widgetFromWorld(world); }
+  glm::dvec3 worldFromWidget(QPointF position) const override { return view_.worldFromWidget(position); }
+  std::optional<glm::dvec3> pickSurface(QPointF position) const override {
+    if (!view_.document_.hasVolume()) return std::nullopt;
+    const glm::dvec3 world = worldFromWidget(position);
+    return view_.inPicture(world) ? std::optional(world) : std::nullopt;
+  }
+  void redraw() const override { view_.update(); }
+
+ private:
+  SliceView& view_;
+};
+
+std::unique_ptr<SliceCanvas> SliceView::makeCanvas() { return std::make_unique<ToolCanvas>(*this); }
 
 }  // namespace fenestra::viewer

@@ -1,20 +1,21 @@
 #include "viewer/views/ViewArea.h"
 
 #include <algorithm>
-#include <type_traits>
 
 #include <QApplication>
 #include <QDataStream>
 #include <QLabel>
 #include <QVBoxLayout>
 
-#include "viewer/model/ViewLink.h"
+#include "viewer/model/ContextAnimation.h"
+#include "viewer/model/DrawingTurns.h"
+#include "viewer/model/Workspace.h"
+#include "viewer/views/ScenePreparation.h"
 
 namespace fenestra::viewer {
 
-ViewArea::ViewArea(Document& document, SliceCursor& cursor, ViewLink& cameras, ViewOptions& options, Brush& brush,
-                   Carving& carving, SelectionBrush& selection, MeasureMode& measuring, const GlSupport& gl,
-                   const Effort& atRest, const ScenePreparation::ChooseSchedule& chooseSchedule, QWidget* parent)
+ViewArea::ViewArea(Workspace& workspace, const GlSupport& gl, const Effort& atRest,
+                   const ChooseSchedule& chooseSchedule, QWidget* parent)
     : QWidget(parent),
       pacer_(std::make_shared<FramePacer>(atRest)),
       rows_(new QSplitter(Qt::Vertical)),
@@ -30,39 +31,58 @@ ViewArea::ViewArea(Document& document, SliceCursor& cursor, ViewLink& cameras, V
     splitter->setHandleWidth(3);
   }
 
-  const auto connectView = [this](auto* view) {
-    using View = std::remove_pointer_t<decltype(view)>;
-    connect(view, &View::pointed, this, &ViewArea::pointed);
-    connect(view, &View::left, this, &ViewArea::left);
-    connect(view, &View::menuRequested, this, &ViewArea::menuRequested);
-    connect(view, &View::maximiseRequested, this, [this, view] { toggleMaximised(view); });
-  };
-  if (gl.available) {
-    preparation_ = std::make_shared<ScenePreparation>(chooseSchedule);
-    const VolumeView::Shared shared{preparation_, pacer_, std::make_shared<DrawingTurns>(*pacer_),
-                                    std::make_shared<ContextFlight>(document, cameras), gl.software};
-    for (int index = 0; index < ViewLink::count; ++index) {
-      auto* view = new VolumeView(index, document, cursor, cameras, options, brush, carving, selection, shared);
-      connectView(view);
-      connect(view, &VolumeView::failed, this, &ViewArea::failed);
-      connect(view, &VolumeView::reduced, this, &ViewArea::reduced);
-      connect(view, &VolumeView::drawn, this, &ViewArea::drawn);
-      connect(view, &VolumeView::raysStarted, &opening_, &OpeningEdge::set);
-      upper_->addWidget(view);
-      volumes_.push_back(view);
-    }
-  } else {
-    auto* reason =
-        new QLabel(tr("3-D views are not available here.\n\n%1\n\nThe slices below work without it.").arg(gl.problem));
-    reason->setObjectName(QStringLiteral("noOpenGl"));
-    reason->setAlignment(Qt::AlignCenter);
-    reason->setWordWrap(true);
-    reason->setMargin(24);
-    reason->setTextInteractionFlags(Qt::TextSelectableByMouse);
-    upper_->addWidget(reason);
+  if (gl.available)
+    addVolumeViews(workspace, gl, chooseSchedule);
+  else
+    addReason(gl);
+  addSliceViews(workspace);
+  rows_->setSizes({560, 440});
+  active_ = volumes_.empty() ? static_cast<QWidget*>(slices_.front()) : volumes_.front();
+  connect(qApp, &QApplication::focusChanged, this, [this](QWidget*, QWidget* now) {
+    for (const auto& [name, view] : namedViews())
+      if (view == now) active_ = view;
+  });
+}
+
+template <class View>
+void ViewArea::connectView(View* view) {
+  connect(view, &View::pointed, this, &ViewArea::pointed);
+  connect(view, &View::left, this, &ViewArea::left);
+  connect(view, &View::menuRequested, this, &ViewArea::menuRequested);
+  connect(view, &View::maximiseRequested, this, [this, view] { toggleMaximised(view); });
+}
+
+void ViewArea::addVolumeViews(Workspace& workspace, const GlSupport& gl, const ChooseSchedule& chooseSchedule) {
+  preparation_ = std::make_shared<ScenePreparation>(chooseSchedule);
+  const VolumeView::Shared shared{preparation_, pacer_, std::make_shared<DrawingTurns>(*pacer_),
+                                  std::make_shared<ContextAnimation>(workspace.document, workspace.cameras),
+                                  gl.software};
+  for (int index = 0; index < ViewLink::count; ++index) {
+    auto* view = new VolumeView(index, workspace, shared);
+    connectView(view);
+    connect(view, &VolumeView::failed, this, &ViewArea::failed);
+    connect(view, &VolumeView::reduced, this, &ViewArea::reduced);
+    connect(view, &VolumeView::drawn, this, &ViewArea::drawn);
+    connect(view, &VolumeView::raysStarted, &opening_, &OpeningEdge::set);
+    upper_->addWidget(view);
+    volumes_.push_back(view);
   }
+}
+
+void ViewArea::addReason(const GlSupport& gl) {
+  auto* reason =
+      new QLabel(tr("3-D views are not available here.\n\n%1\n\nThe slices below work without it.").arg(gl.problem));
+  reason->setObjectName(QStringLiteral("noOpenGl"));
+  reason->setAlignment(Qt::AlignCenter);
+  reason->setWordWrap(true);
+  reason->setMargin(24);
+  reason->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  upper_->addWidget(reason);
+}
+
+void ViewArea::addSliceViews(Workspace& workspace) {
   for (const SlicePlane plane : {SlicePlane::Axial, SlicePlane::Sagittal, SlicePlane::Coronal}) {
-    auto* view = new SliceView(plane, document, cursor, options, carving, selection, measuring, opening_);
+    auto* view = new SliceView(plane, workspace, opening_);
     connectView(view);
     connect(view, &SliceView::measureMenuRequested, this, &ViewArea::measureMenuRequested);
     connect(view, &SliceView::picked, this, &ViewArea::picked);
@@ -70,12 +90,6 @@ ViewArea::ViewArea(Document& document, SliceCursor& cursor, ViewLink& cameras, V
     lower_->addWidget(view);
     slices_.push_back(view);
   }
-  rows_->setSizes({560, 440});
-  active_ = volumes_.empty() ? static_cast<QWidget*>(slices_.front()) : volumes_.front();
-  connect(qApp, &QApplication::focusChanged, this, [this](QWidget*, QWidget* now) {
-    for (const auto& [name, view] : namedViews())
-      if (view == now) active_ = view;
-  });
 }
 
 std::optional<Schedule> ViewArea::schedule() const {

@@ -9,20 +9,24 @@
 #include <QWidget>
 
 #include "io/session/Session.h"
+#include "rendering/gpu/Schedule.h"
 #include "viewer/model/OpeningEdge.h"
+#include "viewer/views/ChooseSchedule.h"
 #include "viewer/views/GlSupport.h"
 #include "viewer/views/SliceView.h"
 #include "viewer/views/VolumeView.h"
 
 namespace fenestra::viewer {
 
+class ScenePreparation;
+
 class ViewArea : public QWidget {
   Q_OBJECT
  public:
   /// Without OpenGL a text in place of the 3-D views says why; the slices work all the same.
-  ViewArea(Document& document, SliceCursor& cursor, ViewLink& cameras, ViewOptions& options, Brush& brush,
-           Carving& carving, SelectionBrush& selection, MeasureMode& measuring, const GlSupport& gl,
-           const Effort& atRest, const ScenePreparation::ChooseSchedule& chooseSchedule, QWidget* parent = nullptr);
+  /// `workspace` outlives this.
+  ViewArea(Workspace& workspace, const GlSupport& gl, const Effort& atRest, const ChooseSchedule& chooseSchedule,
+           QWidget* parent = nullptr);
 
   const std::vector<VolumeView*>& volumeViews() const { return volumes_; }  ///< empty without OpenGL
   const std::vector<SliceView*>& sliceViews() const { return slices_; }     ///< axial, sagittal, coronal
@@ -70,6 +74,13 @@ class ViewArea : public QWidget {
   void drawn();
 
  private:
+  void addVolumeViews(Workspace& workspace, const GlSupport& gl, const ChooseSchedule& chooseSchedule);
+  /// Says in place of the 3-D views why there are none.
+  void addReason(const GlSupport& gl);
+  void addSliceViews(Workspace& workspace);
+  /// Passes on the signals that all kinds of views have.
+  template <class View>
+  void connectView(View* view);
   /// Every view with its name in a session.
   std::vector<std::pair<std::string, QWidget*>> namedViews() const;
 

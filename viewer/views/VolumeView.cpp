@@ -5,22 +5,25 @@
 #include <cmath>
 #include <utility>
 
+#include <QMouseEvent>
 #include <QOpenGLContext>
 #include <QPainter>
 
+#include "rendering/Renderer.h"
 #include "rendering/gl/Context.h"
 #include "rendering/gl/ShaderProgram.h"
+#include "rendering/gpu/GpuScene.h"
 #include "rendering/scene/Walls.h"
-#include "viewer/model/Brush.h"
-#include "viewer/model/Document.h"
-#include "viewer/model/SelectionBrush.h"
-#include "viewer/model/SliceCursor.h"
-#include "viewer/model/ViewLink.h"
-#include "viewer/model/ViewOptions.h"
+#include "viewer/model/ContextAnimation.h"
+#include "viewer/model/DrawingTurns.h"
+#include "viewer/model/Workspace.h"
 #include "viewer/style/FocusRing.h"
 #include "viewer/style/Overlay.h"
+#include "viewer/tools/Canvas.h"
 #include "viewer/views/PictureSurface.h"
+#include "viewer/views/RefinedPicture.h"
 #include "viewer/views/RenderProblem.h"
+#include "viewer/views/ScenePreparation.h"
 
 namespace fenestra::viewer {
 namespace {
@@ -37,23 +40,23 @@ double now() {
 
 }  // namespace
 
-VolumeView::VolumeView(int index, Document& document, SliceCursor& cursor, ViewLink& cameras, ViewOptions& options,
-                       Brush& brush, Carving& carving, SelectionBrush& selection, Shared shared, QWidget* parent)
+VolumeView::VolumeView(int index, Workspace& workspace, Shared shared, QWidget* parent)
     : QWidget(parent),
       index_(index),
-      document_(document),
-      cursor_(cursor),
-      cameras_(cameras),
-      options_(options),
-      brush_(brush),
-      carving_(carving),
-      brushTool_(brush, document, canvas()),
-      carveTool_(carving, document, spaceCanvas([](const Hit& hit) { return hit.start; })),
-      selection_(selection),
-      selectionTool_(selection, document, spaceCanvas([this](const Hit& hit) { return surfaceAt(hit); })),
-      clipTool_(document, clipCanvas()),
-      wallTool_(document, cursor, wallCanvas()),
-      toleranceWheel_(document),
+      document_(workspace.document),
+      cursor_(workspace.cursor),
+      cameras_(workspace.cameras),
+      options_(workspace.options),
+      brush_(workspace.brush),
+      active_(workspace.tool),
+      canvas_(makeCanvas()),
+      brushTool_(workspace.brush, document_, *canvas_),
+      carveTool_(workspace.carving, document_, *canvas_),
+      selectionTool_(workspace.selection, document_, *canvas_),
+      toleranceWheel_(document_),
+      clipTool_(document_, options_, active_, *canvas_),
+      wallTool_(document_, cursor_, options_, active_, *canvas_),
+      tools_({&brushTool_, &carveTool_, &selectionTool_, &toleranceWheel_, &clipTool_, &wallTool_}),
       shared_(std::move(shared)),
       surface_(
           PictureSurface::make(shared_.software, *this, {.paint = [this] { paint(); }, .shown = [this] { shown(); }})) {
@@ -66,66 +69,71 @@ VolumeView::VolumeView(int index, Document& document, SliceCursor& cursor, ViewL
   connect(&hover_, &QTimer::timeout, this, &VolumeView::readUnderMouse);
   connect(&rest_, &QTimer::timeout, this, &VolumeView::settle);
   connect(&refining_, &QTimer::timeout, this, &VolumeView::refine);
-  connect(&document, &Document::volumeChanged, this, [this] {
+  followScene();
+  followTools();
+}
+
+void VolumeView::followScene() {
+  connect(&document_, &Document::volumeChanged, this, [this] {
     problem_.clear();  // another volume may fit where the last one did not
     shared_.preparation->forgetFailure();
     reduction_.clear();
   });
-  // A scene is prepared and about to be drawn: no other one is prepared before it.
-  const auto isAwaited = std::make_shared<bool>(false);
-  connect(&document, &Document::sceneChanged, this, [this, isAwaited] {
+  connect(&document_, &Document::sceneChanged, this, [this] {
     disturb(ViewLink::count);
-    if (!*isAwaited) prepare();
+    if (!isPreparedDue_) prepare();
   });
-  connect(&document, &Document::strokesChanged, this, &VolumeView::refresh);
-  followTools();
-  connect(&cameras, &ViewLink::changed, this, [this](int view) {
+  connect(&document_, &Document::strokesChanged, this, &VolumeView::refresh);
+  connect(&cameras_, &ViewLink::changed, this, [this](int view) {
     if (view == index_) follow();
   });
-  connect(&cameras, &ViewLink::released, this, &VolumeView::settleAtOnce);
-  connect(shared_.flight.get(), &ContextFlight::moved, this, &VolumeView::redraw);
-  connect(shared_.turns.get(), &DrawingTurns::turn, this, [this, isAwaited](int view) {
-    if (view == index_ && !*isAwaited) draw(shownScene());
+  connect(&cameras_, &ViewLink::released, this, &VolumeView::settleAtOnce);
+  connect(shared_.animation.get(), &ContextAnimation::moved, this, &VolumeView::redraw);
+  connect(shared_.turns.get(), &DrawingTurns::turn, this, [this](int view) {
+    if (view == index_ && !isPreparedDue_) draw(shownScene());
   });
   connect(shared_.turns.get(), &DrawingTurns::roundEnded, this, [this] {
     if (isNew_) repaintSurface();
   });
-  connect(&shared_.preparation->context(), &RenderContext::freed, this, [this, isAwaited] {
-    // What was prepared is drawn before anything changes the scene again, or a slider that is drawn along would keep
-    // the views from drawing; each still in an event of its own.
-    const auto drawPrepared = [this, isAwaited] {
-      *isAwaited = false;
-      const Scene scene = shownScene(), held = shared_.preparation->held(scene);
-      draw(held);
-      if (isNew_) repaintSurface();
-      if (held == scene || !isNew_) return;
-      settled_ = false;
-      due_ = Due::Motion;
-      rest_.start(restMilliseconds);
-      askToDraw();
-    };
-    if (due_ != Due::Nothing || !picture_) {
-      *isAwaited = true;
-      QMetaObject::invokeMethod(this, drawPrepared, Qt::QueuedConnection);
-    } else if (!settled_ && !rest_.isActive() && !refining_.isActive()) {
-      settle();
-    }
-  });
-  connect(&options, &ViewOptions::changed, this, [this] { repaintSurface(); });
+  connect(&shared_.preparation->glContext(), &GlContext::freed, this, &VolumeView::contextFreed);
+  connect(&options_, &ViewOptions::changed, this, [this] { repaintSurface(); });
+}
+
+void VolumeView::contextFreed() {
+  if (due_ != Due::Nothing || !picture_) {
+    // Each view draws in an event of its own.
+    isPreparedDue_ = true;
+    QMetaObject::invokeMethod(this, &VolumeView::drawPrepared, Qt::QueuedConnection);
+  } else if (!settled_ && !rest_.isActive() && !refining_.isActive()) {
+    settle();
+  }
+}
+
+void VolumeView::drawPrepared() {
+  isPreparedDue_ = false;
+  const Scene scene = shownScene(), held = shared_.preparation->held(scene);
+  draw(held);
+  if (isNew_) repaintSurface();
+  if (held == scene || !isNew_) return;
+  settled_ = false;
+  due_ = Due::Motion;
+  rest_.start(restMilliseconds);
+  askToDraw();
 }
 
 VolumeView::~VolumeView() {
   // GPU objects need their context when they are destroyed.
-  shared_.preparation->context().run([this] { picture_.reset(); });
+  shared_.preparation->glContext().run([this] { picture_.reset(); });
 }
 
-bool VolumeView::inContext(const std::function<void(const std::shared_ptr<GpuScene>&)>& work) {
-  return shared_.preparation->context().run([&] { work(shared_.preparation->gpuScene()); });
+bool VolumeView::inGlContext(const std::function<void(const std::shared_ptr<GpuScene>&)>& work) {
+  return shared_.preparation->glContext().run([&] { work(shared_.preparation->gpuScene()); });
 }
 
 bool VolumeView::isSettled() const {
   const bool told = index_ != 0 || !startsDue_;  // the slices draw the opening of the first view
-  return (settled_ && !isNew_ && told && !shared_.flight->isFlying()) || !problem_.isEmpty() || !document_.hasVolume();
+  return (settled_ && !isNew_ && told && !shared_.animation->isRunning()) || !problem_.isEmpty() ||
+         !document_.hasVolume();
 }
 
 void VolumeView::disturb(int views) {
@@ -177,7 +185,7 @@ void VolumeView::settle() {
 
 void VolumeView::settleAtOnce() {
   if (!rest_.isActive()) return;
-  // A frame that is still due is left out: the picture at rest follows, with a draft before it where it takes long.
+  // A moving frame that is still due is left out: the picture at rest follows, after a draft where it takes long.
   rest_.stop();
   settle();
 }
@@ -230,7 +238,7 @@ void VolumeView::refined(Effort effort) {
     stopRefining();
     settled_ = true;
     attemptOnPicture([this] { reportStarts(); });
-    // Or else the first frame of a drag would wait for its programs.
+    // Compile ahead, so that the first frame of a drag need not wait for its programs.
     if (const Effort moving = pacer.moving(ViewLink::count); moving != effort)
       shared_.preparation->prepareAhead(shownScene(), viewFor(moving));
   }
@@ -249,7 +257,7 @@ void VolumeView::refresh() {
 
 void VolumeView::moveWalls() {
   if (!document_.hasVolume() || !dependsOnSlices(document_.look())) return;
-  // While something else moves, its pictures show the slices, too.
+  // The pictures of a motion show the slices, too.
   if (due_ == Due::Motion || rest_.isActive())
     disturb(ViewLink::count);
   else
@@ -271,7 +279,7 @@ void VolumeView::attempt(const std::function<void()>& work) {
     work();
   } catch (const std::exception& error) {
     stopRefining();
-    shared_.preparation->context().run([this] { picture_.reset(); });
+    shared_.preparation->glContext().run([this] { picture_.reset(); });
     problem_ = tr("The 3-D views cannot be drawn. %1").arg(describeRenderProblem(error));
     Q_EMIT failed(problem_);
     repaintSurface();
@@ -281,7 +289,7 @@ void VolumeView::attempt(const std::function<void()>& work) {
 void VolumeView::attemptOnPicture(const std::function<void()>& work) {
   ScenePreparation& preparation = *shared_.preparation;
   if (!picture_ || !picture_->isShown() || !document_.hasVolume() || preparation.isBusy()) return;
-  inContext([&](const std::shared_ptr<GpuScene>&) { attempt(work); });
+  inGlContext([&](const std::shared_ptr<GpuScene>&) { attempt(work); });
 }
 
 void VolumeView::shown() {
@@ -320,7 +328,7 @@ std::optional<FinishedPicture> VolumeView::finishedPicture() {
 
 Scene VolumeView::shownScene() const {
   Scene scene = document_.scene();
-  scene.look = shared_.flight->shown(std::move(scene.look));
+  scene.look = shared_.animation->shown(std::move(scene.look));
   scene.look.strokes = strokesIn(index_, scene.look.strokes);
   return scene;
 }
@@ -334,12 +342,14 @@ View VolumeView::viewFor(Effort effort) const {
       .quality = effort.quality,
       .maxError = effort.maxError,
       .frozen = cameras_.frozen()[static_cast<std::size_t>(index_)],
-      // Other pictures do not depend on them, and need not be drawn again when they change.
+      // Left out of pictures that do not depend on them, which then need not be drawn again when slices move.
       .slices = dependsOnSlices(document_.look())
                     ? ShownSlices{cursor_.position(), document_.window(), document_.isInverted()}
                     : ShownSlices{},
   };
 }
+
+void VolumeView::askToDraw() { shared_.turns->ask(index_); }
 
 void VolumeView::draw(const Scene& scene) {
   const bool isDue = due_ != Due::Nothing || !picture_ || !picture_->isShown();
@@ -361,8 +371,8 @@ bool VolumeView::drawDue(const Scene& scene) {
   const View view = viewFor(effort);
   if (!shared_.preparation->isReady(scene, view)) return false;
   if (due_ == Due::Strokes && !onlyStrokes) rest_.start(restMilliseconds);
-  inContext([&](const std::shared_ptr<GpuScene>& gpuScene) {
-    if (!picture_) picture_.emplace(gpuScene);
+  inGlContext([&](const std::shared_ptr<GpuScene>& gpuScene) {
+    if (!picture_) picture_ = std::make_unique<RefinedPicture>(gpuScene);
     if (onlyStrokes)
       picture_->draw(scene, view, true);
     else
@@ -386,7 +396,7 @@ void VolumeView::drawTimed(const Scene& scene, const View& view, Effort effort, 
   picture_->draw(scene, view, effort == pacer.atRest());
   gl::finish();
   // The first picture of a kind also compiles programs or uploads voxels. Tables of the transfer function and colours
-  // are made anew with each move of a drag: they belong to what its next picture will take.
+  // are made anew with each move of a drag, so their time is part of the next picture's, too.
   GpuScene::Versions after = gpuScene.versions();
   after.transfer = before.transfer;
   after.gaps = before.gaps;
@@ -394,90 +404,6 @@ void VolumeView::drawTimed(const Scene& scene, const View& view, Effort effort, 
   const bool usual = firstRuns == gl::ShaderProgram::firstRuns() && before == after;
   pacer.drew(effort, now() - start, usual);
   followed_ = pacer.frames();
-}
-
-std::optional<QPointF> VolumeView::widgetFromWorld(glm::dvec3 world) const {
-  return widgetFromWorld(world, shownCamera());
-}
-
-std::optional<QPointF> VolumeView::widgetFromWorld(glm::dvec3 world, const Camera& camera) const {
-  if (!document_.hasVolume()) return std::nullopt;
-  const double aspect = static_cast<double>(width()) / std::max(1, height());
-  const glm::dvec4 clip = camera.clipFromWorld(aspect, document_.scene().volume->grid) * glm::dvec4(world, 1.0);
-  if (!(clip.w > 0.0)) return std::nullopt;
-  return QPointF(0.5 * (clip.x / clip.w + 1.0) * width(), 0.5 * (1.0 - clip.y / clip.w) * height());
-}
-
-glm::dvec3 VolumeView::shownAt(glm::dvec3 world) const {
-  return picture_ && picture_->isShown() ? picture_->shown().shownAt(world) : world;
-}
-
-glm::dvec2 VolumeView::pixelAt(QPointF position) const {
-  const glm::ivec2 size = picture_->shownView().size;
-  return {position.x() / width() * size.x, position.y() / height() * size.y};
-}
-
-BrushTool::Canvas VolumeView::canvas() {
-  return {
-      .view = index_,
-      .pick = [this](QPointF position, BrushMode mode, std::optional<glm::dvec3> before) -> std::optional<BrushPoint> {
-        std::optional<BrushPoint> point;
-        attemptOnPicture([&] { point = picture_->shown().pickBrush(pixelAt(position), mode, before); });
-        return point;
-      },
-      .picture = [this]() -> std::vector<std::uint8_t> {
-        std::vector<std::uint8_t> picture;
-        attemptOnPicture([&] {
-          picture_->draw(shownScene(), viewFor(shared_.pacer->atRest()), true);
-          surface_->take(picture_->shown());
-          picture = picture_->shown().readPicture();
-        });
-        return picture;
-      },
-      .redraw = [this] { repaintSurface(); },
-  };
-}
-
-ClipTool::Canvas VolumeView::clipCanvas() {
-  return {.widgetFromWorld = [this](glm::dvec3 world) { return widgetFromWorld(world); },
-          .axes =
-              [this] {
-                const Camera::Axes axes = shownCamera().axes();
-                return std::array{axes.right, axes.up};
-              },
-          .section = []() -> std::optional<ClipTool::Canvas::Section> { return std::nullopt; },
-          .shows = [this] { return options_.clipHandles() && !takesStrokes(); }};
-}
-
-WallTool::Canvas VolumeView::wallCanvas() {
-  return {.widgetFromWorld = [this](glm::dvec3 world) { return widgetFromWorld(world); },
-          .axes =
-              [this] {
-                const Camera::Axes axes = shownCamera().axes();
-                return std::array{axes.right, axes.forward};
-              },
-          .shows = [this] { return options_.crosshair() && !brush_.isActive(); }};
-}
-
-std::optional<VolumeView::Hit> VolumeView::pick(QPointF position) {
-  std::optional<Hit> hit;
-  attemptOnPicture([&] {
-    Renderer& picture = picture_->shown();
-    const std::optional<PickedPlace> picked = picture.pickPlace(pixelAt(position));
-    if (!picked) return;
-    const std::optional<BrushPoint> opened = picture.pickBrush(pixelAt(position), BrushMode::Open);
-    const bool moved = picture.movesContext();
-    hit = Hit{picked->place, moved ? picked->ray : rayThrough(position), opened ? opened->removed : 0.0, moved};
-  });
-  return hit;
-}
-
-double VolumeView::mmPerPixel(const Camera& camera) const {
-  const double seen =
-      camera.projection == Projection::Orthographic
-          ? camera.orthographicHeight
-          : 2.0 * glm::distance(camera.eye, camera.target) * std::tan(glm::radians(camera.verticalFov) * 0.5);
-  return seen / std::max(1, height());
 }
 
 }  // namespace fenestra::viewer

@@ -3,70 +3,78 @@
 // (parallel projection only) scale bar over it.
 //
 // While something changes it draws as the pacer says, in its turn and not while the window is painted. After a moment
-// of rest it refines the picture up to full quality, in slices of time between which the window answers; a change ends
-// that. What takes long besides is prepared on another thread; until then the view keeps the picture that it has. A
-// brush stroke changes little of the picture and is drawn at full quality at once. Left drag: rotate, or paint while
-// the brush is up (see BrushTool), or carve (see CarveTool), or paint the region in focus (see SelectionTool); left
-// click: crosshair and focus to what is seen, see clickStructure(); middle: pan; right drag or wheel: zoom; Alt+wheel:
-// tolerance of the region in focus; arrows: turn by steps. Strokes that begin while another thread has the context wait
-// until it is free.
+// of rest it refines the picture up to full quality, in slices of time between which the window answers; a change stops
+// the refinement. Uploads and compilation run on another thread; until they are done the view keeps its last picture. A
+// brush stroke changes little of the picture and is drawn at full quality at once.
+//
+// Left drag: rotate, unless a tool takes it; left click: crosshair and focus to what is seen, see clickStructure();
+// middle: pan; right drag or wheel: zoom; arrows: turn by steps. The tools: BrushTool, CarveTool, SelectionTool,
+// ToleranceWheel, ClipTool, WallTool. Strokes that begin while another thread has the context wait until it is free.
 
 #include <functional>
 #include <memory>
 #include <optional>
 #include <vector>
 
-#include <QMouseEvent>
+#include <QImage>
 #include <QTimer>
 #include <QWidget>
 
-#include "rendering/gpu/GpuScene.h"
 #include "rendering/scene/Opening.h"
-#include "viewer/model/ContextFlight.h"
-#include "viewer/model/DrawingTurns.h"
+#include "rendering/scene/Scene.h"
+#include "rendering/scene/View.h"
 #include "viewer/model/FramePacer.h"
 #include "viewer/tools/BrushTool.h"
 #include "viewer/tools/CarveTool.h"
 #include "viewer/tools/ClipTool.h"
 #include "viewer/tools/SelectionTool.h"
 #include "viewer/tools/ToleranceWheel.h"
+#include "viewer/tools/ViewTools.h"
 #include "viewer/tools/WallTool.h"
-#include "viewer/views/RefinedPicture.h"
-#include "viewer/views/ScenePreparation.h"
+
+namespace fenestra {
+class GpuScene;
+}
 
 namespace fenestra::viewer {
 
+class ActiveTool;
+class Brush;
+class ContextAnimation;
 class Document;
+class DrawingTurns;
+class PictureCanvas;
 class PictureSurface;
-class SelectionBrush;
+class RefinedPicture;
+class ScenePreparation;
 class SliceCursor;
 class ViewLink;
 class ViewOptions;
+struct Workspace;
 
-/// A picture at full quality, and what it shows.
+/// A picture at full quality, with the scene and the view that it shows.
 struct FinishedPicture {
   Scene scene;
   View view;
   std::vector<glm::vec4> pixels;  ///< premultiplied RGBA before rounding to 8 bits, row by row from the top
-  QImage image;                   ///< the same over the scene's background
+  QImage image;                   ///< rounded, over the scene's background
 };
 
 class VolumeView : public QWidget {
   Q_OBJECT
  public:
-  /// What all 3-D views of a window share: voxels on the GPU with the context that they are drawn in, the measured
-  /// speed of the machine, whose turn it is, how far context is moved out of the way, and whether the CPU draws.
+  /// What all 3-D views of a window share: the voxels on the GPU and their OpenGL context, the measured speed of the
+  /// machine, the turns in which views draw, the animation of the context, and whether the CPU draws.
   struct Shared {
     std::shared_ptr<ScenePreparation> preparation;
     std::shared_ptr<FramePacer> pacer;
     std::shared_ptr<DrawingTurns> turns;
-    std::shared_ptr<ContextFlight> flight;
+    std::shared_ptr<ContextAnimation> animation;
     bool software = false;
   };
 
-  /// `index` is the camera's place in `cameras`.
-  VolumeView(int index, Document& document, SliceCursor& cursor, ViewLink& cameras, ViewOptions& options, Brush& brush,
-             Carving& carving, SelectionBrush& selection, Shared shared, QWidget* parent = nullptr);
+  /// `index` is the camera's place in the workspace's cameras. The workspace outlives this.
+  VolumeView(int index, Workspace& workspace, Shared shared, QWidget* parent = nullptr);
   ~VolumeView() override;
 
   int index() const { return index_; }
@@ -74,21 +82,21 @@ class VolumeView : public QWidget {
   void hold(bool on) { held_ = on; }
   /// The view shows the scene at full quality, or says why it cannot.
   bool isSettled() const;
-  /// Draws again, after the pacer's settings have changed.
+  /// Draws again; to be called after the pacer's settings have changed.
   void redraw();
-  /// The view that is drawn when nothing moves.
+  /// The view that is drawn at rest.
   View restView() const { return viewFor(shared_.pacer->atRest()); }
   /// Why the view cannot draw; empty when it can.
   const QString& problem() const { return problem_; }
   /// The camera of the picture. In a view that is taller than wide its field of view is wider, so that the volume fits.
   Camera shownCamera() const;
   std::optional<QPointF> widgetFromWorld(glm::dvec3 world) const;
-  /// Where the picture on screen shows a point of the volume: in an exploded view, where its part is; where it is
-  /// peeled off, on the roll.
+  /// Where the picture on screen shows a point of the volume. Exploded views move the part that it belongs to, and a
+  /// peeled layer lies on its roll.
   glm::dvec3 shownAt(glm::dvec3 world) const;
   /// The picture on screen; empty while it is not at full quality.
   std::optional<FinishedPicture> finishedPicture();
-  /// What is on the screen, with the marks over it, in device pixels.
+  /// The picture on the screen with its marks, in device pixels.
   QImage grabSurface();
   /// The scene as this view shows it.
   Scene shownScene() const;
@@ -97,12 +105,11 @@ class VolumeView : public QWidget {
   const BrushTool& brushTool() const { return brushTool_; }
   const ClipTool& clipTool() const { return clipTool_; }
   const WallTool& wallTool() const { return wallTool_; }
-  const CarveTool& carveTool() const { return carveTool_; }
-  /// What draws the scene's pictures, for others that need its context.
+  /// Uploads and compiles for all views; others use its OpenGL context.
   ScenePreparation& preparation() { return *shared_.preparation; }
   /// Runs `work` with the pictures' OpenGL context current. Returns false without running it where the driver has lost
   /// the context.
-  bool inContext(const std::function<void(const std::shared_ptr<GpuScene>&)>& work);
+  bool inGlContext(const std::function<void(const std::shared_ptr<GpuScene>&)>& work);
 
   QSize sizeHint() const override { return {480, 380}; }
   QSize minimumSizeHint() const override { return {160, 140}; }
@@ -111,7 +118,7 @@ class VolumeView : public QWidget {
   void settled();
   /// A picture is on screen; `isNew`: for the first time.
   void drawn(bool isNew);
-  /// Of C1: where its rays start, once it shows the scene at full quality; null when that changes.
+  /// C1 alone: where its rays start, once it shows the scene at full quality; null when that changes.
   void raysStarted(std::shared_ptr<const RayStarts> starts);
   void failed(const QString& problem);
   /// The volume does not fit onto the device and is drawn with fewer voxels; `notice` says with how many.
@@ -134,22 +141,26 @@ class VolumeView : public QWidget {
   void resizeEvent(QResizeEvent* event) override;
 
  private:
+  /// Connects what changes the scene and the cameras.
+  void followScene();
+  void contextFreed();
+  void drawPrepared();
   /// Draws a changing scene; `views` 3-D views draw with each change.
   void disturb(int views);
   /// Has another thread bring the scene up to date while this one paints the slices.
   void prepare();
-  /// How a changing scene is drawn.
+  /// The effort for pictures of a changing scene.
   Effort motion() const;
   /// As disturb() after a camera of the pair has moved. A linked view skips frames that there is no time for.
   void follow();
   /// Begins to refine the picture.
   void settle();
-  /// The same at the end of a drag, without waiting for another move.
+  /// As settle() at the end of a drag, which no further move follows.
   void settleAtOnce();
-  /// Reports raysStarted(), and that what was reported no longer holds.
+  /// Reports raysStarted(), with the starts or with null.
   void reportStarts();
   void forgetStarts();
-  /// Goes on with that for a moment.
+  /// Refines the picture for a moment.
   void refine();
   /// A refined picture is done.
   void refined(Effort effort);
@@ -164,27 +175,27 @@ class VolumeView : public QWidget {
   void attemptOnPicture(const std::function<void()>& work);
   View viewFor(Effort effort) const;
   /// Asks for a turn to draw what is due.
-  void askToDraw() { shared_.turns->ask(index_); }
+  void askToDraw();
   /// Draws what is due of the scene, to be shown by the next paint.
   void draw(const Scene& scene);
-  /// False: it is not ready to be drawn, and stays due.
+  /// False: the scene is not ready to be drawn, and stays due.
   bool drawDue(const Scene& scene);
   /// Draws the scene as something moves in it, and tells the pacer how long that took.
   void drawTimed(const Scene& scene, const View& view, Effort effort, const GpuScene& gpuScene);
   /// Has the surface painted again.
   void repaintSurface();
-  /// Paints it.
+  /// Paints the surface.
   void paint();
-  /// Puts the picture that there is into it.
+  /// Puts the present picture into the surface.
   void present();
   void drawOverlay();
-  /// The strokes that wait, see keepsForLater().
+  /// Draws the strokes that wait, see keepsForLater().
   void drawWaiting(QPainter& painter) const;
-  /// What was painted is on the screen.
+  /// The painted picture is on the screen.
   void shown();
   void zoom(double factor);
-  /// Where in the volume the ray of a pixel starts to see, world mm, its unit direction there, and how many mm of it
-  /// before that the opening removed.
+  /// The ray of a pixel: where in the volume it starts to see, world mm, its unit direction there, and how many mm
+  /// before that the opening has removed.
   struct Hit {
     glm::dvec3 start, ray;
     double removed = 0.0;
@@ -192,7 +203,7 @@ class VolumeView : public QWidget {
   };
   /// What the picture shows at a place in the widget; empty on the background.
   std::optional<Hit> pick(QPointF position);
-  /// The voxel that is seen first there: of what is seen from the start on, or of a protected label before it.
+  /// A point in the voxel that is seen first: from the start on, or before it where a protected label is seen.
   glm::dvec3 surfaceAt(const Hit& hit) const;
   /// Unit direction of the last picture's ray through a place in the widget.
   glm::dvec3 rayThrough(QPointF position) const;
@@ -202,20 +213,15 @@ class VolumeView : public QWidget {
   void readUnderMouse();
   void click(const Hit& hit, Qt::KeyboardModifiers modifiers);
   glm::dvec2 pixelAt(QPointF position) const;
-  BrushTool::Canvas canvas();
-  ClipTool::Canvas clipCanvas();
-  WallTool::Canvas wallCanvas();
+  class ToolCanvas;
+  std::unique_ptr<PictureCanvas> makeCanvas();
   /// Draws other slices, where there are walls.
   void moveWalls();
-  /// `pointOf` is the point that a tool takes of a hit.
-  SpaceCanvas spaceCanvas(std::function<glm::dvec3(const Hit&)> pointOf);
-  /// The left button paints or carves instead of turning the view.
-  bool takesStrokes() const;
   /// Keeps an event of a stroke for replay(), while nothing can be read of the picture. True: it is kept.
   bool keepsForLater(const QMouseEvent& event);
-  /// Handles what was kept, on the picture that it was meant for.
+  /// Handles the events that were kept, on the picture that they were meant for.
   void replay();
-  /// Shows what the brushes, carving and the slices change.
+  /// Connects what the stroke modes and the slices change.
   void followTools();
   double mmPerPixel(const Camera& camera) const;
   std::optional<QPointF> widgetFromWorld(glm::dvec3 world, const Camera& camera) const;
@@ -226,37 +232,41 @@ class VolumeView : public QWidget {
   SliceCursor& cursor_;
   ViewLink& cameras_;
   ViewOptions& options_;
-  Brush& brush_;
-  Carving& carving_;
+  const Brush& brush_;
+  const ActiveTool& active_;
+  const std::unique_ptr<PictureCanvas> canvas_;  ///< this view, as tools see it
   BrushTool brushTool_;
   CarveTool carveTool_;
-  SelectionBrush& selection_;
   SelectionTool selectionTool_;
+  ToleranceWheel toleranceWheel_;
   ClipTool clipTool_;
   WallTool wallTool_;
-  std::vector<std::unique_ptr<QMouseEvent>> waiting_;  ///< of strokes, see keepsForLater()
-  ToleranceWheel toleranceWheel_;
+  ViewTools tools_;
+  std::vector<std::unique_ptr<QMouseEvent>> waiting_;  ///< events of strokes, see keepsForLater()
   Shared shared_;
   PictureSurface* surface_;
 
-  std::optional<RefinedPicture> picture_;  ///< empty before the first picture, and where there is a problem
+  std::unique_ptr<RefinedPicture> picture_;  ///< null before the first picture, and where there is a problem
   QString problem_;
   QString reduction_;  ///< the last notice of reduced()
-  /// What the view draws in its next turn: nothing, the picture that there is stays; the scene as something moves in
-  /// it; changed strokes or slices of walls.
+  /// What the view draws in its next turn. Nothing: it keeps its picture. Motion: the scene while something moves in
+  /// it. Strokes: changed strokes or slices of walls.
   enum class Due : std::uint8_t { Nothing, Motion, Strokes } due_ = Due::Motion;
   bool isNew_ = false;                ///< the picture has not been painted
-  bool isUnpainted_ = false;          ///< as isNew_, also of a refined picture
-  bool isUnseen_ = false;             ///< it is painted and has not come onto the screen
+  bool isUnpainted_ = false;          ///< as isNew_, but also true for a refined picture
+  bool isUnseen_ = false;             ///< a new picture is painted but not yet on the screen
   bool isTimed_ = false;              ///< the pacer waits for a moving picture to come onto the screen
   int moving_ = 0;                    ///< number of views that the motion moves
   long followed_ = 0;                 ///< the pacer's frame that this view last followed in
-  std::optional<Effort> refinement_;  ///< of the picture being refined
+  std::optional<Effort> refinement_;  ///< the effort of the picture being refined; empty: none is
   double refinedFor_ = 0.0;           ///< ms
-  bool compiled_ = false;             ///< meanwhile programs were compiled, so its time says nothing
+  bool compiled_ = false;             ///< programs were compiled meanwhile, so refinedFor_ says nothing about speed
   bool held_ = false;
+  /// A prepared scene is about to be drawn. It is drawn before the next change, or a slider that is dragged would keep
+  /// the views from drawing.
+  bool isPreparedDue_ = false;
   bool startsDue_ = true;  ///< raysStarted() is to be reported
-  bool settled_ = false;   ///< the last picture is of the present scene, at full quality
+  bool settled_ = false;   ///< the last picture shows the present scene at full quality
   QTimer rest_;            ///< fires a moment after the last change
   QTimer refining_;        ///< fires between slices of refinement
 
@@ -264,7 +274,7 @@ class VolumeView : public QWidget {
 
   QPointF pressed_, last_;
   bool dragging_ = false;
-  /// What the last click replaced: a double click undoes its first half.
+  /// The state before the last click, which a double click restores.
   struct BeforeClick {
     Focus focus;
     glm::dvec3 cursor;

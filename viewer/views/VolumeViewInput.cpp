@@ -9,21 +9,22 @@
 #include <QMouseEvent>
 #include <QWheelEvent>
 
-#include "rendering/scene/SeenPoint.h"
+#include "viewer/model/ActiveTool.h"
 #include "viewer/model/Brush.h"
 #include "viewer/model/Document.h"
-#include "viewer/model/SelectionBrush.h"
 #include "viewer/model/SliceCursor.h"
 #include "viewer/model/StructureClick.h"
 #include "viewer/model/ViewLink.h"
 #include "viewer/model/ViewOptions.h"
+#include "viewer/views/RefinedPicture.h"
+#include "viewer/views/ScenePreparation.h"
 #include "viewer/views/VolumeView.h"
 
 namespace fenestra::viewer {
 namespace {
 
 constexpr double clickSlack = 4.0;  ///< device-independent pixels between press and release of a click
-/// Until what lies under the mouse is read: a moving mouse reads nothing.
+/// Delay before the picture is read under the mouse: a moving mouse reads nothing.
 constexpr int hoverMilliseconds = 40;
 constexpr double arrowTurn = glm::pi<double>() / 36.0;  ///< 5 degrees
 
@@ -33,9 +34,7 @@ void VolumeView::mousePressEvent(QMouseEvent* event) {
   hover_.stop();
   shared_.pacer->lead(index_);
   if (keepsForLater(*event)) return;
-  if (brushTool_.press(*event) || carveTool_.press(*event) || selectionTool_.press(*event) || clipTool_.press(*event) ||
-      wallTool_.press(*event))
-    return;
+  if (tools_.press(*event)) return;
   pressed_ = last_ = event->position();
   beforeClick_.reset();
   dragging_ = false;
@@ -44,17 +43,12 @@ void VolumeView::mousePressEvent(QMouseEvent* event) {
 void VolumeView::mouseMoveEvent(QMouseEvent* event) {
   if (brush_.isActive() && !hasFocus()) setFocus(Qt::MouseFocusReason);  // for the keys that the brush offers
   if (keepsForLater(*event)) return;
-  if (!document_.hasVolume() || brushTool_.move(*event) || carveTool_.move(*event) || selectionTool_.move(*event) ||
-      clipTool_.move(*event) || wallTool_.move(*event))
-    return;
+  if (!document_.hasVolume() || tools_.move(*event)) return;
   const QPointF position = event->position(), move = position - last_, total = position - pressed_;
   last_ = position;
   const Qt::MouseButtons buttons = event->buttons();
   if (buttons == Qt::NoButton) {
-    if (!takesStrokes()) {
-      const auto overClip = clipTool_.pointer(position), over = overClip ? overClip : wallTool_.pointer(position);
-      setCursor(over.value_or(Qt::ArrowCursor));
-    }
+    setCursor(tools_.pointer(position));
     if (event->modifiers() & Qt::ShiftModifier)
       if (const std::optional<Hit> hit = pick(position)) {
         const glm::dvec3 at = surfaceAt(*hit);
@@ -82,9 +76,7 @@ void VolumeView::mouseMoveEvent(QMouseEvent* event) {
 void VolumeView::mouseReleaseEvent(QMouseEvent* event) {
   if (dragging_) cameras_.release();
   if (keepsForLater(*event)) return;
-  if (brushTool_.release(*event) || carveTool_.release(*event) || selectionTool_.release(*event) ||
-      clipTool_.release(*event) || wallTool_.release(*event))
-    return;
+  if (tools_.release(*event)) return;
   if (dragging_ || !document_.hasVolume()) return;
   const std::optional<Hit> hit = pick(event->position());
   if (!hit) return;
@@ -95,47 +87,19 @@ void VolumeView::mouseReleaseEvent(QMouseEvent* event) {
   }
 }
 
-glm::dvec3 VolumeView::seenAt(const Hit& hit) const {
-  if (hit.moved) return surfaceAt(hit);  // behind its part, the ray sees other places of the volume
-  return seenPoint(shownScene(), hit.start, hit.ray, hit.removed).value_or(hit.start + halfVoxel() * hit.ray);
-}
-
-glm::dvec3 VolumeView::surfaceAt(const Hit& hit) const {
-  const glm::dvec3 seen = hit.removed > 0.0 ? seenAt(hit) : hit.start;
-  // The start lies on the surface between two voxels. Half a voxel further along the ray is the voxel that is seen.
-  return glm::dot(seen - hit.start, hit.ray) < 0.0 ? seen : hit.start + halfVoxel() * hit.ray;
-}
-
-double VolumeView::halfVoxel() const {
-  const glm::dvec3 spacing = document_.scene().volume->grid.spacing;
-  return 0.5 * std::min({spacing.x, spacing.y, spacing.z});
-}
-
-glm::dvec3 VolumeView::rayThrough(QPointF position) const {
-  const Camera camera = picture_->shownView().camera;
-  const Camera::Axes axes = camera.axes();
-  if (camera.projection == Projection::Orthographic) return axes.forward;
-  const double slope = std::tan(0.5 * glm::radians(camera.verticalFov));
-  const glm::dvec2 offset(position.x() - 0.5 * width(), 0.5 * height() - position.y());
-  return glm::normalize(axes.forward + 2.0 * slope / height() * (offset.x * axes.right + offset.y * axes.up));
-}
-
-bool VolumeView::takesStrokes() const { return brush_.isActive() || carving_.isActive() || selection_.isActive(); }
-
 bool VolumeView::keepsForLater(const QMouseEvent& event) {
   const bool presses = event.type() == QEvent::MouseButtonPress || event.type() == QEvent::MouseButtonDblClick;
   const bool begins = presses && event.button() == Qt::LeftButton && !(event.modifiers() & Qt::ControlModifier);
-  const bool goesOn = brushTool_.isPainting() || carveTool_.isCarving() || selectionTool_.isPainting();
   const bool follows = !waiting_.empty() && (event.buttons() | event.button()) & Qt::LeftButton;
-  if (!takesStrokes() || !picture_) return false;
-  if (!follows && !((begins || goesOn) && shared_.preparation->isBusy())) return false;
+  if (!active_.mode() || !picture_) return false;
+  if (!follows && !((begins || tools_.isBusy()) && shared_.preparation->isBusy())) return false;
   waiting_.emplace_back(event.clone());
   repaintSurface();
   return true;
 }
 
 void VolumeView::replay() {
-  // What is held up once more is kept again.
+  // An event that is held up once more is kept again.
   for (const std::unique_ptr<QMouseEvent>& event : std::exchange(waiting_, {})) {
     if (event->type() == QEvent::MouseMove)
       mouseMoveEvent(event.get());
@@ -147,17 +111,14 @@ void VolumeView::replay() {
 }
 
 void VolumeView::followTools() {
-  const auto showTool = [this] {
-    if (!takesStrokes()) waiting_.clear();
-    setCursor(takesStrokes() ? Qt::CrossCursor : Qt::ArrowCursor);
-    brushTool_.measure();
+  connect(&active_, &ActiveTool::changed, this, [this] {
+    if (!active_.mode()) waiting_.clear();
+    tools_.refresh();
+    setCursor(tools_.pointer(last_));
     repaintSurface();
-  };
-  connect(&brush_, &Brush::changed, this, showTool);
-  connect(&carving_, &Carving::changed, this, showTool);
-  connect(&selection_, &SelectionBrush::changed, this, showTool);
-  connect(&shared_.preparation->context(), &RenderContext::freed, this, &VolumeView::replay);
-  // Another volume, or another place of the camera, is not what a stroke was meant for.
+  });
+  connect(&shared_.preparation->glContext(), &GlContext::freed, this, &VolumeView::replay);
+  // A stroke was not meant for another volume, nor for another place of the camera.
   connect(&document_, &Document::volumeChanged, this, [this] { waiting_.clear(); });
   connect(&cameras_, &ViewLink::changed, this, [this](int view) {
     if (view == index_) waiting_.clear();
@@ -167,23 +128,8 @@ void VolumeView::followTools() {
   connect(&document_, &Document::windowChanged, this, &VolumeView::moveWalls);
 }
 
-SpaceCanvas VolumeView::spaceCanvas(std::function<glm::dvec3(const Hit&)> pointOf) {
-  return {.pick = [this, pointOf = std::move(pointOf)](QPointF position) -> std::optional<glm::dvec3> {
-            const std::optional<Hit> hit = pick(position);
-            return hit ? std::optional(pointOf(*hit)) : std::nullopt;
-          },
-          .widgetFromWorld = [this](glm::dvec3 world) { return widgetFromWorld(world); },
-          .axes =
-              [this](glm::dvec3 at) {
-                const Camera::Axes axes = shownCamera().axes();
-                const std::optional<QPointF> place = picture_ ? widgetFromWorld(at) : std::nullopt;
-                return CarvingAxes{axes.right, axes.up, place ? rayThrough(*place) : axes.forward};
-              },
-          .redraw = [this] { repaintSurface(); }};
-}
-
 void VolumeView::readUnderMouse() {
-  if (takesStrokes()) return;
+  if (active_.mode()) return;
   if (!isSettled()) {  // reading the picture must not hold up the next one
     hover_.start(hoverMilliseconds);
     return;
@@ -204,7 +150,7 @@ void VolumeView::click(const Hit& hit, Qt::KeyboardModifiers modifiers) {
 
 void VolumeView::mouseDoubleClickEvent(QMouseEvent* event) {
   if (event->button() != Qt::LeftButton) return;
-  if (takesStrokes()) {
+  if (active_.mode()) {
     mousePressEvent(event);  // two quick dabs
     return;
   }
@@ -227,13 +173,13 @@ void VolumeView::zoom(double factor) {
 }
 
 void VolumeView::wheelEvent(QWheelEvent* event) {
-  if (brushTool_.wheel(*event) || toleranceWheel_.wheel(*event)) return;
+  if (tools_.wheel(*event)) return;
   shared_.pacer->lead(index_);
   if (document_.hasVolume()) zoom(std::exp(event->angleDelta().y() * 0.0015));
 }
 
 void VolumeView::keyPressEvent(QKeyEvent* event) {
-  if (brushTool_.key(*event)) return;
+  if (tools_.key(*event)) return;
   double yaw = 0.0, pitch = 0.0;
   switch (event->key()) {
     case Qt::Key_Left:
@@ -258,9 +204,7 @@ void VolumeView::keyPressEvent(QKeyEvent* event) {
 
 void VolumeView::leaveEvent(QEvent*) {
   hover_.stop();
-  brushTool_.leave();
-  carveTool_.leave();
-  selectionTool_.leave();
+  tools_.leave();
   Q_EMIT left();
 }
 

@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include <QMouseEvent>
 #include <QPainter>
 
 #include "viewer/model/Document.h"
@@ -10,6 +11,7 @@
 #include "viewer/model/ViewOptions.h"
 #include "viewer/style/Overlay.h"
 #include "viewer/views/PictureSurface.h"
+#include "viewer/views/RefinedPicture.h"
 #include "viewer/views/VolumeView.h"
 
 namespace fenestra::viewer {
@@ -35,7 +37,7 @@ void VolumeView::paint() {
 QImage VolumeView::grabSurface() { return surface_->grab(); }
 
 void VolumeView::present() {
-  // Such as a view that was hidden; not one that skips a frame while its last picture comes onto the screen.
+  // A view that was hidden asks for its turn here; one that skips a frame does not, while its new picture is painted.
   if (!isNew_ && (due_ != Due::Nothing || !picture_)) askToDraw();
   if (!picture_ || !picture_->isShown()) return;
   isTimed_ |= std::exchange(isNew_, false);
@@ -55,14 +57,10 @@ void VolumeView::drawOverlay() {
   }
   if (!document_.hasVolume()) return;
   drawMarks(painter, shownCamera());
-  // Here and not among the marks: saved pictures name nobody.
+  // Not one of the marks, because saved pictures must not name the patient.
   if (options_.text() && !options_.hidesPatient())
     drawStudyText(painter, view, patientLines(document_.study().patient, document_.study().series), 0);
-  wallTool_.draw(painter);
-  clipTool_.draw(painter);
-  brushTool_.draw(painter, view);
-  carveTool_.draw(painter);
-  selectionTool_.draw(painter);
+  tools_.draw(painter, view);
   drawWaiting(painter);
   // Filled, because OpenGL leaves out lines along the rim.
   if (hasFocus())

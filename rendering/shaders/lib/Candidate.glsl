@@ -1,6 +1,6 @@
 // Rays of candidate cameras: parallel projection over the model's bounding sphere, one set of axes a view.
 #include <schedule>
-#include "lib/Clip.glsl"
+#include <clip>
 #include "lib/Ray.glsl"
 #include "lib/Uniforms.glsl"
 

@@ -1,4 +1,5 @@
 // What a candidate image shows of the focus, and its sum over neighbouring invocations.
+#include <ends>
 
 struct Sums {
   vec4 sums;   // area in pixels; depth from the front times area; position times area
@@ -13,15 +14,6 @@ Sums sumOf(Sums a, Sums b) {
 }
 
 shared vec4 sharedSums[64];
-#if END_FACES
-shared vec4 sharedMore[64];
-vec4 storedMore(vec4 more) { return more; }
-vec4 restoredMore(vec4 more) { return more; }
-#else
-shared float sharedMore[64];
-float storedMore(vec4 more) { return more.x; }
-vec4 restoredMore(float more) { return vec4(more, 0.0, 0.0, 0.0); }
-#endif
 shared ivec4 sharedBoxes[64];
 
 // The sum over the `count` invocations of which this one is the lane-th, a power of two; valid in lane 0. Called by all 64

@@ -4,6 +4,7 @@
 // mixed end points (its blossom), so their hull bounds the field: no crossing can be missed.
 #include "lib/None.glsl"
 
+// Bernstein coefficients from a to b, both within a cell with these corners.
 vec4 bernsteinAlong(float f[8], vec3 a, vec3 b) {
   vec4 low = vec4(f[0], f[2], f[4], f[6]), high = vec4(f[1], f[3], f[5], f[7]);
   vec4 xa = mix(low, high, a.x), xb = mix(low, high, b.x);
@@ -14,7 +15,7 @@ vec4 bernsteinAlong(float f[8], vec3 a, vec3 b) {
   return vec4(mix(xaya.x, xaya.y, a.z), b1 / 3.0, b2 / 3.0, mix(xbyb.x, xbyb.y, b.z));
 }
 
-// The same of vectors. Indices are constants: some drivers mishandle others.
+// Bernstein coefficients of vectors. Indices are constants: some drivers mishandle others.
 vec3 bilinear(vec3 f0, vec3 f1, vec3 f2, vec3 f3, vec2 w) { return mix(mix(f0, f1, w.x), mix(f2, f3, w.x), w.y); }
 
 void bernsteinAlong(vec3 f[8], vec3 a, vec3 b, out vec3 along[4]) {
@@ -128,8 +129,8 @@ float firstExit(vec4 b, float low, float high) {
   return u;
 }
 
-// Where the parabola of these values at 0, 1/2 and 1 is `level` or more, from and to 0 … 1; empty where from ≥ to. Of two
-// such parts, that nearer to 0.
+// Where the parabola of these values at 0, 1/2 and 1 is `level` or more, from and to 0 … 1; empty where from ≥ to. There
+// may be two such parts: then that nearer to 0.
 vec2 partAbove(vec3 values, float level) {
   float start = values.x - level, rise = values.z - values.x, bend = 4.0 * values.y - 2.0 * (values.x + values.z);
   // start + slope u - bend u²

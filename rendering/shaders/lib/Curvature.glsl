@@ -1,15 +1,10 @@
 // Principal curvatures of the level set through a point, from first and second derivatives of a C² reconstruction: the
 // cubic B-spline over the derivative volume (Kindlmann, Whitaker, Tasdizen, Möller, Vis 2003, section 3).
+#include <derivative>
 #include <schedule>
 #include "lib/Grid.glsl"
 #include "lib/Uniforms.glsl"
 
-// Smoothed field, coarser where the scan is fine.
-#if DERIVATIVE_BYTES == 2
-TEXELS_3D(r16, derivativeVolume);
-#else
-TEXELS_3D(r32f, derivativeVolume);
-#endif
 uniform float contextMargin;  // mm: hits nearer than this to the box's entry or to the focus are no surface of their own
 
 // Cubic B-spline weights of the four neighbours at offset f in [0, 1), and their first and second derivatives.

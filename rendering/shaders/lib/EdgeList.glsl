@@ -1,5 +1,5 @@
 // The pixels of a picture that edges run through, and the rays between pixel centres that are drawn for them
-// (rendering/scene/EdgeRays.h). Of a list, a batch of pixels is drawn at a time: each has 2×2 invocations side by side.
+// (rendering/scene/EdgeRays.h). A batch of the list's pixels is drawn at a time: each pixel has 2×2 invocations side by side.
 
 layout(std430, binding = 7) buffer EdgeList {
   uint count;

@@ -2,23 +2,10 @@
 // are s = t - distance: the ray is anchored on a plane near the volume, which keeps float32 exact enough however far
 // away the eye is. See rendering/gpu/RayFrame.h.
 #include <schedule>
-#include "lib/Clip.glsl"
-#include "lib/Grid.glsl"
+#include <clip>
+#include <places>
 #include "lib/Ray.glsl"
 #include "lib/Uniforms.glsl"
-#if SCATTERED
-#include "lib/EdgeList.glsl"
-#endif
-
-// Where the ray of an invocation runs through the picture, in pixels from its top left, and whether it has one. SCATTERED:
-// through places between pixel centres; an invocation's `pixel` is then its own place in the images of such rays.
-#if SCATTERED
-vec2 placeOf(ivec2 pixel) { return samplePlace(pixel); }
-bool hasRay(ivec2 pixel) { return edgeOf(pixel) < edgeCount; }
-#else
-vec2 placeOf(ivec2 pixel) { return vec2(pixel) + 0.5; }
-bool hasRay(ivec2 pixel) { return all(lessThan(pixel, rays.pictureSize)); }
-#endif
 
 // -1 … 1 across the picture, upwards.
 vec2 deviceCoordinates(vec2 place) {

@@ -11,9 +11,7 @@ struct Ray {
   vec3 world;       // unit direction in world space
   vec3 worldBase;   // world position at s = 0 relative to the middle of the anchor plane, mm
   float sIn, sOut;  // inside the box and in front of the eye; sIn > sOut: the ray misses the box
-#if CLIPPED
-  int cap;          // the half-space of lib/Clip.glsl by which the ray enters; -1: by the box, or it starts inside
-#endif
+  int cap;          // where `<clip>` clips, the half-space by which the ray enters; -1: by the box, or it starts inside
 };
 
 // Fills in the inverse and the part of the ray inside a box of the cell frame, from s = sFirst on.

@@ -2,8 +2,8 @@
 #include <schedule>
 #include "lib/Transfer.glsl"
 
-// Rows of TABLE_SIZE entries, two a function, the context's first (lib/FaintLabels.glsl): emission and extinction; the integral of both from the
-// first entry on (entries/mm).
+// Rows of TABLE_SIZE entries, two a function, the context's first (`<functions>`): emission and extinction; the integral of
+// both from the first entry on (entries/mm).
 TEXELS_2D(rgba32f, transferTables);
 
 // A function's place in the tables.
@@ -14,7 +14,7 @@ struct Table {
 
 Table contextTable() { return Table(0, transfer.firstMaterial, transfer.lastMaterial); }
 
-// Of a function whose materials beyond the ends are those at the ends.
+// The table of a function whose materials beyond the ends are those at the ends.
 Table tableFrom(int row) {
   return Table(row, texelOf(transferTables, ivec2(0, row)), texelOf(transferTables, ivec2(TABLE_SIZE - 1, row)));
 }
@@ -62,9 +62,8 @@ vec4 meanOverSpan(Table table, Bound a, Bound b) {
   return max(sum / span, vec4(0.0));
 }
 
-// The same for bounds at any distance.
-//
-// Lavapipe of Mesa 22.3 crashes on the branch below in some programs, but not on this.
+// Mean material for bounds at any distance. Lavapipe of Mesa 22.3 crashes on the branch in meanMaterial() in some programs, but
+// not on this.
 vec4 meanWithoutBranch(Table table, Bound a, Bound b) {
   vec4 near = materialAt(table, 0.5 * (a.entry + b.entry));
   return mix(meanOverSpan(table, a, b), near, bvec4(abs(b.entry - a.entry) < LEAST_SPAN));

@@ -50,13 +50,6 @@ Block blockAt(ivec3 cell, ivec3 upwards, int empty) {
   return block;
 }
 
-#if REFINEMENT > 1
-// The rest of a cell of the voxels' grid.
-Block voxelBlockAt(ivec3 cell, ivec3 upwards) {
-  return Block(cell, middleOf(cell) + (REFINEMENT / 2) * (2 * upwards - 1), 0);
-}
-#endif
-
 // `s`: where the ray enters the block.
 Face faceBehind(Block block, Ray ray, ivec3 upwards, float s) {
   vec3 planes = clamp(vec3(block.last + upwards), vec3(0.5), vec3(volume.dims) + 0.5);

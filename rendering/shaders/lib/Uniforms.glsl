@@ -24,7 +24,7 @@ struct VolumeUniforms {
   ivec3 dims;  // voxels
 };
 
-// lib/Clip.glsl
+// lib/clip
 struct ClipUniforms {
   vec4 planes[HALF_SPACES];   // cell frame: mm before the plane are xyz·position + w
   vec4 normals[HALF_SPACES];  // unit, world
@@ -67,7 +67,7 @@ struct LightUniforms {
   float meanIncidence;   // |n·l| of a surface of average orientation
   ivec3 gradientOrigin;  // index of the gradient texture's first voxel
   float certainLength;   // of a gated normal, from which on it is lit in full
-  ivec3 lastNode;        // of ambient occlusion: index along each axis (lib/light/Occlusion.glsl)
+  ivec3 lastNode;        // of ambient occlusion: index along each axis (lib/occlusion/Nodes.glsl)
   vec3 nodesPerVoxel;
 };
 

@@ -8,10 +8,6 @@
 //   mayHoldFocus        false: none of the focus in the cell
 //   focusAt, focusAlong the field at a point, and its Bernstein coefficients along a path, both within the cell
 //   focusRange          the values of that field that are in the focus, closed
-//   focusMaterial       colour · extinction and extinction (1/mm)
-//   nextColour          where after u the material or function changes along a path
-//   focusTable          with FOCUS_FUNCTIONS, where some of the focus is shown by value: the first row of its function in
-//                       lib/Transfer.glsl's tables, and entry = stored value · y + z there; 0 where it is of one material
 #include <schedule>
 #include "lib/Traversal.glsl"
 #include "lib/Uniforms.glsl"

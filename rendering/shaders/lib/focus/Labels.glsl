@@ -5,23 +5,15 @@
 
 struct FocusCell {
   uint corners;
-#if REFINEMENT > 1
-  ivec3 cell;
-#endif
+  ivec3 cell;  // of the grid that shaders walk
 };
 
-#if REFINEMENT > 1
-FocusCell focusCell(uint corners, ivec3 cell) { return FocusCell(corners, cell); }
 vec3 placeIn(FocusCell cell, vec3 within) { return withinVoxelCell(cell.cell, within); }
-#else
-FocusCell focusCell(uint corners, ivec3 cell) { return FocusCell(corners); }
-vec3 placeIn(FocusCell cell, vec3 within) { return within; }
-#endif
 
 FocusCell focusCellAt(uint slot, ivec3 cell) {
-  if (slot < 2u) return focusCell(slot * 255u, cell);
+  if (slot < 2u) return FocusCell(slot * 255u, cell);
   int byte = cellInSlot(slot, cell);
-  return focusCell((focusCells[byte >> 2] >> (8 * (byte & 3))) & 255u, cell);
+  return FocusCell((focusCells[byte >> 2] >> (8 * (byte & 3))) & 255u, cell);
 }
 
 bool mayHoldFocus(FocusCell cell) { return cell.corners != 0u; }
@@ -43,4 +35,4 @@ vec4 focusAlong(FocusCell cell, vec3 a, vec3 b, vec4 stored) {
   return bernsteinAlong(f, placeIn(cell, a), placeIn(cell, b));
 }
 
-#include "lib/focus/LabelColours.glsl"
+vec2 focusRange() { return vec2(0.5, FAR); }

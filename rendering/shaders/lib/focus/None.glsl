@@ -12,6 +12,3 @@ bool mayHoldFocus(FocusCell cell) { return false; }
 float focusAt(FocusCell cell, vec3 within, float stored) { return 0.0; }
 vec4 focusAlong(FocusCell cell, vec3 a, vec3 b, vec4 stored) { return vec4(0.0); }
 vec2 focusRange() { return vec2(1.0, 0.0); }
-vec4 focusMaterial(vec3 at) { return vec4(0.0); }
-vec4 focusTable(vec3 at) { return vec4(0.0); }
-float nextColour(vec3 a, vec3 b, float u) { return 1.0; }

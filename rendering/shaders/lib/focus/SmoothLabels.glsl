@@ -1,34 +1,26 @@
 // A focus of labels whose surface is smoothed: the 0.5 level of an indicator between 0 and 1 that is trilinear between the
-// voxels (rendering/scene/SmoothedIndicator.h). Of a brick that the surface crosses, the index holds the indicator at the
+// voxels (rendering/scene/SmoothedIndicator.h). In a brick that the surface crosses, the index holds the indicator at the
 // corners of its cells; see FocusIndex::smoothedCells.
 #include "lib/focus/Index.glsl"
 #include "lib/Crossing.glsl"
 
 struct FocusCell {
   vec4 low, high;  // the indicator at the corners on either side along x; y fastest
-#if REFINEMENT > 1
-  ivec3 cell;
-#endif
+  ivec3 cell;  // of the grid that shaders walk
 };
 
-#if REFINEMENT > 1
-FocusCell focusCell(vec4 low, vec4 high, ivec3 cell) { return FocusCell(low, high, cell); }
 vec3 placeIn(FocusCell cell, vec3 within) { return withinVoxelCell(cell.cell, within); }
-#else
-FocusCell focusCell(vec4 low, vec4 high, ivec3 cell) { return FocusCell(low, high); }
-vec3 placeIn(FocusCell cell, vec3 within) { return within; }
-#endif
 
 const int ROW_OF_PAIRS = BRICK_SIDE, LAYER_OF_PAIRS = BRICK_SIDE * (BRICK_SIDE + 1);
 
 FocusCell focusCellAt(uint slot, ivec3 cell) {
-  if (slot < 2u) return focusCell(vec4(slot), vec4(slot), cell);
+  if (slot < 2u) return FocusCell(vec4(slot), vec4(slot), cell);
   ivec3 local = voxelCell(cell) & (BRICK_SIDE - 1);
   int at = int(slot - 2u) * LAYER_OF_PAIRS * (BRICK_SIDE + 1) + local.x + ROW_OF_PAIRS * local.y + LAYER_OF_PAIRS * local.z;
   vec2 a = unpackUnorm2x16(focusCells[at]), b = unpackUnorm2x16(focusCells[at + ROW_OF_PAIRS]),
        c = unpackUnorm2x16(focusCells[at + LAYER_OF_PAIRS]),
        d = unpackUnorm2x16(focusCells[at + LAYER_OF_PAIRS + ROW_OF_PAIRS]);
-  return focusCell(vec4(a.x, b.x, c.x, d.x), vec4(a.y, b.y, c.y, d.y), cell);
+  return FocusCell(vec4(a.x, b.x, c.x, d.x), vec4(a.y, b.y, c.y, d.y), cell);
 }
 
 bool mayHoldFocus(FocusCell cell) {
@@ -48,4 +40,4 @@ vec4 focusAlong(FocusCell cell, vec3 a, vec3 b, vec4 stored) {
   return bernsteinAlong(f, placeIn(cell, a), placeIn(cell, b));
 }
 
-#include "lib/focus/LabelColours.glsl"
+vec2 focusRange() { return vec2(0.5, FAR); }

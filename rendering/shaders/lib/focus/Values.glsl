@@ -16,6 +16,3 @@ bool mayHoldFocus(FocusCell cell) { return cell.kept != 0u; }
 float focusAt(FocusCell cell, vec3 within, float stored) { return stored; }
 vec4 focusAlong(FocusCell cell, vec3 a, vec3 b, vec4 stored) { return stored; }
 vec2 focusRange() { return focus.range; }
-vec4 focusMaterial(vec3 at) { return vec4(focus.material.rgb, 1.0) * focus.material.a; }
-vec4 focusTable(vec3 at) { return focus.table; }
-float nextColour(vec3 a, vec3 b, float u) { return 1.0; }

@@ -4,6 +4,8 @@
 //
 // A walk goes through stages, each more expensive than the one before: leap to a cell that is not empty; look into it;
 // integrate it. Where neighbouring rays run in step, a ray waits until all of them need the next stage.
+#include <volume>
+#include "lib/integral/CellNormals.glsl"
 #include "lib/integral/CellPath.glsl"
 
 // The corners of a cell are numbered in a frame in which the ray runs upwards along every axis. A step along an axis then
@@ -133,8 +135,8 @@ void add(inout Walk walk, vec4 colour, bool whole) {
 
 float shareOf(Walk walk) { return (walk.path.sTo - walk.path.sFrom) / max(walk.ray.sOut - walk.cut.start, 1e-30); }
 
-// Integrates the next part of a cell that holds none of the focus and one function of the context. A ray with more parts than its neighbours does not hold
-// them up: it stays in the stage CONTEXT until they are there again.
+// Integrates the next part of a cell that holds none of the focus and one function of the context. A ray with more parts than
+// its neighbours does not hold them up: it stays in the stage CONTEXT until they are there again.
 void integrateContext(inout Walk walk) {
   CellPath path = walk.path;
   if (walk.integrated == 0.0) {

@@ -1,13 +1,7 @@
 // The values and the gated normals at the corners of a cell, read once for all points in it.
-//
-// WHOLE_CELLS: lib/integral/FaceToFace.glsl takes them so. A shader that reads faces alone compiles nothing of this file.
-#include <light>
-#include "lib/Volume.glsl"
+#include <normals>
+#include <volume>
 
-#ifndef WHOLE_CELLS
-#define WHOLE_CELLS 0
-#endif
-#if WHOLE_CELLS
 struct CellField {
   vec4 low, high;  // texels at the lower and at the upper x, counted as cornerOf() counts
   vec3 gated[8];
@@ -39,4 +33,3 @@ vec3 gatedIn(CellField field, vec3 w) {
   vec3 high = mix(mix(field.gated[4], field.gated[5], w.x), mix(field.gated[6], field.gated[7], w.x), w.y);
   return mix(low, high, w.z);
 }
-#endif

@@ -5,8 +5,10 @@
 // is the mean of colour and light over the part, weighted by what is seen of it: it is taken to second order in the
 // position, from the weight's mean and variance. Its error is estimated beforehand and falls at least as 1/n² with n
 // pieces; a part is cut into as many as the bound asks for.
+#include <fading>
 #include <focus>
 #include <light>
+#include <occlusion>
 #include <opening>
 #include <schedule>
 #include "lib/TransferSegments.glsl"
@@ -38,7 +40,7 @@ Medium mediumOf(Part part, float size) {
   vec4 e = part.entries;
   float mean = clamp(0.25 * (e.x + e.y + e.z + e.w), segment.low, segment.high);
   Medium medium;
-  // The best line's slope is 12 times the first moment of the cubic; what is left is nearly q (u² - u + 1/6).
+  // The best line's slope is 12 times the first moment of the cubic; the rest is nearly q (u² - u + 1/6).
   medium.change = vec2(0.3 * (3.0 * (e.w - e.x) + e.z - e.y), 1.5 * (e.x - e.y - e.z + e.w));
   float extinction = max(segment.material.a + segment.slope.a * (mean - segment.anchor), 0.0);
   medium.depth = extinction * size;
@@ -69,9 +71,7 @@ float colourError(Medium medium, Segment segment) {
 // The light at the front, in the middle and at the back of a part.
 struct Lights {
   vec2 front, middle, back;
-#if OCCLUDED
-  vec2 openFront, openMiddle, openBack;  // what is left of ambient and of direct light
-#endif
+  vec2 openFront, openMiddle, openBack;  // shares of ambient and of direct light that arrive there
 };
 
 vec2 lightIn(Section section, Ray ray, Cut cut, float x) {
@@ -79,38 +79,27 @@ vec2 lightIn(Section section, Ray ray, Cut cut, float x) {
   return behindCut(light, cut, mix(section.sFrom, section.sTo, x));
 }
 
-#if OCCLUDED
 vec2 openIn(Section section, Ray ray, float x) { return openAt(cellPosition(ray, mix(section.sFrom, section.sTo, x))); }
-
-// A change of slope anywhere between three points, as occlusion has it from cell to cell, makes a parabola through them
-// wrong by at most a sixth of the bend that they show.
-float openError(Lights lights) {
-  vec2 bend = abs(lights.openFront - 2.0 * lights.openMiddle + lights.openBack);
-  return dot(bend, vec2(lighting.ambient, lighting.diffuse + lighting.specular)) * (1.0 / 6.0);
-}
-#else
-float openError(Lights lights) { return 0.0; }
-#endif
 
 // The light at a part's middle and back, behind that of a part before it.
 void lightPart(inout Lights lights, Section section, Ray ray, Cut cut, float from, float to) {
   lights.middle = lightIn(section, ray, cut, 0.5 * (from + to));
   lights.back = lightIn(section, ray, cut, to);
-#if OCCLUDED
-  lights.openMiddle = openIn(section, ray, 0.5 * (from + to));
-  lights.openBack = openIn(section, ray, to);
-  lights.middle = occluded(lights.middle, lights.openMiddle);
-  lights.back = occluded(lights.back, lights.openBack);
-#endif
+  if (OCCLUDES) {
+    lights.openMiddle = openIn(section, ray, 0.5 * (from + to));
+    lights.openBack = openIn(section, ray, to);
+    lights.middle = occluded(lights.middle, lights.openMiddle);
+    lights.back = occluded(lights.back, lights.openBack);
+  }
 }
 
 Lights lightsOf(Section section, Ray ray, Cut cut, float from, float to) {
   Lights lights;
   lights.front = lightIn(section, ray, cut, from);
-#if OCCLUDED
-  lights.openFront = openIn(section, ray, from);
-  lights.front = occluded(lights.front, lights.openFront);
-#endif
+  if (OCCLUDES) {
+    lights.openFront = openIn(section, ray, from);
+    lights.front = occluded(lights.front, lights.openFront);
+  }
   lightPart(lights, section, ray, cut, from, to);
   return lights;
 }
@@ -138,13 +127,10 @@ vec4 pieceOf(Medium medium, Segment segment, Lights lights) {
 
 // `transmittance`: in front of the part; `share`: its share of the ray's length.
 vec4 integratePart(Section section, Ray ray, Cut cut, Part part, float transmittance, float share) {
-#if FADING == 3
-  vec2 ofPart = mix(vec2(section.sFrom), vec2(section.sTo), vec2(part.from, part.to));
-  if (!section.inFocus && mayBeGhosted(ofPart.x, ofPart.y))
-    return integrateFading(section, ray, cut, part, transmittance, share);
-#elif FADING
-  if (!section.inFocus) return integrateFading(section, ray, cut, part, transmittance, share);
-#endif
+  if (FADES) {
+    vec2 ends = mix(vec2(section.sFrom), vec2(section.sTo), vec2(part.from, part.to));
+    if (!section.inFocus && mayFade(ends)) return integrateFading(section, ray, cut, part, transmittance, share);
+  }
   float size = (part.to - part.from) * (section.sTo - section.sFrom);
   Medium medium = mediumOf(part, size);
   Lights lights = lightsOf(section, ray, cut, part.from, part.to);
@@ -152,7 +138,8 @@ vec4 integratePart(Section section, Ray ray, Cut cut, Part part, float transmitt
   // A part's allowed error is its share of the bound, by its opacity or by its length: each sums to at most 1 over the ray.
   float shown = transmittance * result.a, weight = shown / (integral.maxError * max(shown, share));
   vec2 ends = mix(vec2(section.uFrom), vec2(section.uTo), vec2(part.from, part.to));
-  float pieces = max(sqrt(weight * (colourError(medium, part.segment) + lightError(medium, lights) + openError(lights))),
+  float ofOpen = openError(lights.openFront, lights.openMiddle, lights.openBack);
+  float pieces = max(sqrt(weight * (colourError(medium, part.segment) + lightError(medium, lights) + ofOpen)),
                      piecesOfLight(section.normals, ends.x, ends.y, section.inFocus, ray.world, weight));
   if (pieces > 1.0) {
     int count = int(ceil(min(pieces, float(MOST_PIECES)))), i = 0;
@@ -223,9 +210,7 @@ Section wholeOf(CellPath path, CellNormals normals) {
   section.entries = path.entries;
   section.inFocus = false;
   section.material = vec4(0.0);
-#if FOCUS_FUNCTIONS || FAINT_LABELS
-  section.function = int(path.functions);
-#endif
+  if (SEVERAL_FUNCTIONS) section.function = int(path.functions);
   section.normals = normals;
   return section;
 }
@@ -233,7 +218,7 @@ Section wholeOf(CellPath path, CellNormals normals) {
 // A cell that holds both focus and context, or context of several functions, section by section.
 vec4 integrateSections(CellPath path, CellNormals normals, Ray ray, Cut cut, float transmittance, float share) {
   Section section = wholeOf(path, normals);
-  addFocusNormals(section.normals, path.cell, path.a, path.b);
+  if (OWN_NORMALS) focusNormalsAlong(path.cell, path.a, path.b, section.normals.focus);
   vec4 result = vec4(0.0);
   // A cubic crosses the two ends of a range at most six times; colours and functions change at three places.
   int left = 10;

@@ -1,6 +1,6 @@
-// Colour and opacity of a piece of a ray in a context that fades the less the more opaque the ray is already.
+// Colour and opacity of a piece of a ray in a context that fades.
 //
-// With the optical depth τ so far, T = exp(-τ), κ the extinction and f = fadeAt() along the piece,
+// With the optical depth τ so far, T = exp(-τ), κ the extinction and f = fadeOf() along the piece,
 //
 //   τ' = κ 2^(f T^sharpness),   C' = T τ' c
 //
@@ -9,11 +9,10 @@
 // of an extinction that changes evenly from front to back, of the same depth (lib/integral/Piece.glsl). Where f, κ and c
 // do not change, and the piece is thin or f is 0, that is exact.
 //
-// Around a focal region, and of a ghost, the factor is 2^f on one side of a border and 1 on the other, whatever τ is: the
+// Around a focal region, and in a ghost, the factor is 2^f on one side of a border and 1 on the other, whatever τ is: the
 // method is Simpson's rule then. A piece lies on one side of such a border.
-#include "lib/Fading.glsl"
+#include <fading>
 #include "lib/integral/Piece.glsl"
-#if FADING
 
 struct FadingPoint {
   float extinction;  // 1/mm
@@ -27,12 +26,7 @@ float fadedExtinction(FadingPoint point, float passed) { return point.extinction
 // Premultiplied; `transmittance`: in front of the piece; `fades`: 0 where the piece shows as it is, else 1.
 vec4 pieceOf(FadingPoint front, FadingPoint middle, FadingPoint back, float lengthOfPiece, float transmittance,
              float fades) {
-#if FADING > 1
-  const float sharpness = 0.0;
-  float passed = fades;
-#else
-  float sharpness = fading.sharpness, passed = pow(transmittance, sharpness);
-#endif
+  float sharpness = sharpnessOfFade(), passed = FOLLOWS_LIGHT ? pow(transmittance, sharpness) : fades;
   float first = lengthOfPiece * fadedExtinction(front, passed);
   float second = lengthOfPiece * fadedExtinction(middle, passed * exp(-0.5 * sharpness * first));
   float third = lengthOfPiece * fadedExtinction(middle, passed * exp(-0.5 * sharpness * second));
@@ -47,13 +41,11 @@ vec4 pieceOf(FadingPoint front, FadingPoint middle, FadingPoint back, float leng
   return vec4(max(colour, 0.0), 1.0) * (depth * relativeOpacity(depth));
 }
 
-#if FADING == 1
-// The same from both ends alone, by the rule of the trapezium.
+// From both ends alone, by the rule of the trapezium, where what lies before a point decides.
 vec4 pieceOf(FadingPoint front, FadingPoint back, float lengthOfPiece, float transmittance) {
-  float passed = pow(transmittance, fading.sharpness), first = lengthOfPiece * fadedExtinction(front, passed);
-  float last = lengthOfPiece * fadedExtinction(back, passed * exp(-fading.sharpness * first));
+  float sharpness = sharpnessOfFade(), passed = pow(transmittance, sharpness);
+  float first = lengthOfPiece * fadedExtinction(front, passed);
+  float last = lengthOfPiece * fadedExtinction(back, passed * exp(-sharpness * first));
   float depth = min(0.5 * (first + last), 1e6);
   return vec4(0.5 * (front.colour + back.colour), 1.0) * (depth * relativeOpacity(depth));
 }
-#endif
-#endif

@@ -3,7 +3,7 @@
 // taken to change evenly along the segment.
 #include "lib/PreIntegration.glsl"
 
-// Of a segment, 0 at its front to 1 at its back.
+// Places along a segment, 0 at its front to 1 at its back.
 struct LightPlaces {
   bool behind;  // more is seen of the half behind
   float minor;  // in the half of which less is seen

@@ -1,18 +1,15 @@
 // A path through a cell, and the parts that it falls into: sections in the focus or in the context, and of these what lies
 // in one segment of a transfer function.
+#include <colours>
 #include <focus>
-#include <light>
+#include <functions>
+#include <shown>
 #include "lib/Crossing.glsl"
-#include "lib/FaintLabels.glsl"
 #include "lib/TransferSegments.glsl"
-#include "lib/Volume.glsl"
+#include "lib/integral/PathLight.glsl"
+#include "lib/integral/Settings.glsl"
 
-// What shows: 0 focus and context; of an exploded view, whose parts and focus are drawn apart, 1 the context alone, 2 the
-// focus alone.
-#ifndef SHOWN
-#define SHOWN 0
-#endif
-bool isShown(bool held) { return SHOWN == 1 ? !held : held || (SHOWN == 0 && !ONLY_FOCUS); }
+const bool SEVERAL_FUNCTIONS = FOCUS_BY_VALUE || HAS_FAINT;  // there are others than the volume's
 
 // What a ray finds between two faces of a cell. Vectors of four are Bernstein coefficients along it.
 struct CellPath {
@@ -21,9 +18,7 @@ struct CellPath {
   float sFrom, sTo;   // mm along the ray
   vec4 entries;       // table entries of the values
   vec4 focusAlong;    // the focus's field, where some of the path may be in the focus
-#if FOCUS_FUNCTIONS
-  vec4 stored;        // values
-#endif
+  vec4 stored;        // values; with FOCUS_BY_VALUE
   uint functions;     // of the context, as functionsIn() has them
 };
 
@@ -34,9 +29,7 @@ float highest(vec4 v) { return max(max(v.x, v.y), max(v.z, v.w)); }
 void setValues(inout CellPath path, vec4 stored) {
   // Within limits whose squares and differences float32 holds.
   path.entries = clamp(stored * transfer.map.x + transfer.map.y, vec4(-1e12), vec4(1e12));
-#if FOCUS_FUNCTIONS
-  path.stored = stored;
-#endif
+  if (FOCUS_BY_VALUE) path.stored = stored;
 }
 
 bool mayShow(CellPath path) {
@@ -89,34 +82,26 @@ float nextChange(vec4 along, float u) {
 struct Section {
   float uFrom, uTo;  // of the path
   float sFrom, sTo;  // mm along the ray
-  vec4 entries;      // of the context's tables, or that of the focus's function
+  vec4 entries;      // of the context's tables, or of the table of the focus's function
   bool inFocus;
   vec4 material;     // of the focus
-#if FOCUS_FUNCTIONS || FAINT_LABELS
-  int function;      // of the context, or of the focus; 0 there: one material
-#endif
+  int function;      // of the context, or of the focus; 0 there: one material. With SEVERAL_FUNCTIONS
   CellNormals normals;
 };
 
-#if FOCUS_FUNCTIONS || FAINT_LABELS
-bool isByValue(Section section) { return !section.inFocus || section.function > 0; }
-int functionOf(Section section) { return section.function; }
+bool isByValue(Section section) { return !section.inFocus || (SEVERAL_FUNCTIONS && section.function > 0); }
+int functionOf(Section section) { return SEVERAL_FUNCTIONS ? section.function : 0; }
 
 // Chooses the function of a section.
 void findFunction(inout Section section, CellPath path, vec3 at) {
-  section.function = section.inFocus ? 0 : functionAt(at);
-#if FOCUS_FUNCTIONS
-  vec4 table = focusTable(at);
-  section.function = section.inFocus ? int(table.x) / 2 : section.function;
-  vec4 entries = clamp(path.stored * table.y + table.z, vec4(-1e12), vec4(1e12));
-  if (section.inFocus && section.function > 0) section.entries = bernsteinBetween(entries, section.uFrom, section.uTo);
-#endif
+  if (SEVERAL_FUNCTIONS) section.function = section.inFocus ? 0 : functionAt(at);
+  if (FOCUS_BY_VALUE) {
+    vec4 table = focusTable(at);
+    section.function = section.inFocus ? int(table.x) / 2 : section.function;
+    vec4 entries = clamp(path.stored * table.y + table.z, vec4(-1e12), vec4(1e12));
+    if (section.inFocus && section.function > 0) section.entries = bernsteinBetween(entries, section.uFrom, section.uTo);
+  }
 }
-#else
-bool isByValue(Section section) { return !section.inFocus; }
-int functionOf(Section section) { return 0; }
-void findFunction(inout Section section, CellPath path, vec3 at) {}
-#endif
 
 // A part of a section in one segment of a transfer function.
 struct Part {

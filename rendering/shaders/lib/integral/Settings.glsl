@@ -1,27 +1,13 @@
 // What both integrals read beside the volume: where nothing shows, and when a ray ends.
+#include <importance>
 #include <schedule>
 #include "lib/Traversal.glsl"
 #include "lib/Uniforms.glsl"
 
+const bool FOCUS_BY_VALUE = FOCUS_FUNCTIONS == 1;  // some of the focus is shown by a function of the value
+
 // Where nothing shows, as emptyAround() reads it.
 UNSIGNED_TEXELS_3D(r16ui, occupiedSkip);
-
-// Where the look opens to labels of other levels of importance than the focus's, too (rendering/scene/Importance.h).
-#ifndef IMPORTANCE_LEVELS
-#define IMPORTANCE_LEVELS 0
-#endif
-
-// The focus's field where a ray starts on the focus's surface, on whichever side of it rounding has put the start. With
-// IMPORTANCE_LEVELS the surface may be that of other labels, which have nothing to do with the focus.
-float ontoFocus(float field, vec2 range) {
-  float on = clamp(field, range.x, range.y);
-#if IMPORTANCE_LEVELS
-  const float ROUNDING = 1e-3;  // of an indicator of 0 to 1
-  return abs(on - field) <= ROUNDING ? on : field;
-#else
-  return on;
-#endif
-}
 
 int invisibleAround(ivec3 cell) { return emptyAround(texelOf(occupiedSkip, cell >> BRICK_SHIFT).r, cell); }
 

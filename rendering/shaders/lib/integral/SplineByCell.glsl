@@ -2,12 +2,15 @@
 // (lib/integral/CellPath.glsl).
 //
 // The coefficients around a cell of the voxels' grid are read once for all of the ray's path through it. The values along
-// the path are two cubics (lib/Spline.glsl), and each half of it is integrated as a path through a cell of trilinear
+// the path are two cubics (lib/volume/Spline.glsl), and each half of it is integrated as a path through a cell of trilinear
 // values is. Normals are read only where something shows.
 //
 // The walk's stages are those of lib/integral/CellByCell.glsl. Looking into a cell costs as much as integrating it: rays
 // that run in step finish their cells before the next look.
+#include <volume>
+#include "lib/VoxelCell.glsl"
 #include "lib/integral/CellPath.glsl"
+#include "lib/integral/SplineNormals.glsl"
 
 // The state of a ray's walk.
 struct Walk {

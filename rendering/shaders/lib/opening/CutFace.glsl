@@ -1,8 +1,8 @@
 // How a face that an opening or a clip plane cuts into the volume is lit (rendering/scene/Lighting.h).
+#include <clip>
 #include <light>
-#include "lib/Clip.glsl"
+#include <volume>
 #include "lib/Uniforms.glsl"
-#include "lib/Volume.glsl"
 
 struct Cut {
   float start;    // mm along the ray
@@ -17,30 +17,22 @@ vec2 behindCut(vec2 volumeLight, Cut cut, float s) {
   return mix(volumeLight, cut.light, cut.share * exp((cut.start - s) / integral.cutFaceDepth));
 }
 
-#if CLIPPED
 // A ray that enters by a capped face has its light, as far as it reaches behind the face.
 void lightByCap(inout Cut cut, Ray ray) {
-  if (!LIT) return;
+  if (!CLIPS || !LIT) return;
   bool byCap = cut.share == 0.0 && ray.cap >= 0;
   vec2 light = lightOf(capNormal(ray), ray.world);
   cut.light = byCap ? light : cut.light;
   cut.share = byCap ? integral.cutFaceShare * exp((ray.sIn - cut.start) / integral.cutFaceDepth) : cut.share;
 }
-#endif
 
-#if CLIPPED == 2
-// Whether a ray starts on a capped face that shows grey; the focus shows as it is.
-bool startsGrey(Cut cut, Ray ray) {
-#if FADING == 3
-  float opened = max(cut.start, ghosted.end);
-#else
-  float opened = cut.start;
-#endif
-  return ray.cap >= 0 && cut.onFocus == 0u && opened <= ray.sIn + 0.5 * integral.cutFaceDepth;
+// Whether a ray that sees the volume as it is from `opened` on starts on a capped face that shows grey; the focus shows as it
+// is.
+bool startsGrey(Cut cut, Ray ray, float opened) {
+  return GREY_FACES && ray.cap >= 0 && cut.onFocus == 0u && opened <= ray.sIn + 0.5 * integral.cutFaceDepth;
 }
 
 vec4 greyOf(Ray ray) {
   float value = storedExact(cellPosition(ray, ray.sIn));
   return vec4(vec3(clamp(value * clipping.grey.x + clipping.grey.y, 0.0, 1.0)), 1.0);
 }
-#endif

@@ -1,16 +1,14 @@
 // An opening in which nothing is removed: rays start where they enter the volume, and see what the opening would remove as a
-// ghost (lib/Ghosting.glsl; the interface is described in Closed.glsl).
+// ghost (lib/fading/Ghost.glsl; the interface is described in Closed.glsl).
+#include <fading>
+#include <hole>
 #include <light>
 #include <schedule>
-#include "lib/Fading.glsl"
 #include "lib/PixelRay.glsl"
 #include "lib/opening/CutFace.glsl"
 
 // Not as images, of which a shader may have eight: they are read once a ray.
 uniform sampler2D rayStart, hitPoints;
-#if APART
-uniform sampler2D hole;  // of an opening that another camera cuts (RemovedParts.comp)
-#endif
 
 const bool ONLY_FOCUS = false;
 
@@ -21,16 +19,15 @@ Cut cutAt(ivec2 pixel, Ray ray) {
     vec2 hit = texelFetch(hitPoints, pixel, 0).xy;
     if (start > hit.x || !isNone(hit.y)) ghosted.end = start;
     cut.onFocus = start == hit.y && start <= ray.sIn ? 1u : 0u;
-#if APART
-    vec2 apart = texelFetch(hole, pixel, 0).xy;
-    ghosted.holeBegin = apart.x;
-    ghosted.holeEnd = apart.y;
-#endif
+    if (APART) {
+      vec2 apart = holeAt(pixel);
+      ghosted.holeBegin = apart.x;
+      ghosted.holeEnd = apart.y;
+    }
   }
-#if CLIPPED
   lightByCap(cut, ray);
-#endif
   return cut;
 }
 
 bool startsHere(Cut cut, Ray ray) { return ray.sIn <= ray.sOut; }
+bool startsGrey(Cut cut, Ray ray) { return startsGrey(cut, ray, max(cut.start, ghosted.end)); }

@@ -1,5 +1,6 @@
 // What the opening removes: rays run from the context's first hit to where stage 4 lets them start, and show all of it, or with
 // LABELS_ALONE the labels that are never cut away (the interface is described in Closed.glsl).
+#include <importance>
 #include <schedule>
 #include "lib/PixelRay.glsl"
 
@@ -12,12 +13,6 @@ struct Cut {
   float start;   // mm along the ray
   uint onFocus;
 };
-
-#if IMPORTANCE_LEVELS
-const uint MAY_START_ON_FOCUS = 1u;  // on a less important label in focus; see ontoFocus()
-#else
-const uint MAY_START_ON_FOCUS = 0u;
-#endif
 
 Cut cutAt(ivec2 pixel, Ray ray) { return Cut(texelFetch(hitPoints, pixel, 0).x, MAY_START_ON_FOCUS); }
 // Where the ray starts to see the rest; not beyond cut.start where nothing is removed.

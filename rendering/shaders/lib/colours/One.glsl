@@ -1,0 +1,6 @@
+// All of the focus has one material or function (the interface is described in None.glsl).
+#include "lib/Uniforms.glsl"
+
+vec4 focusMaterial(vec3 at) { return vec4(focus.material.rgb, 1.0) * focus.material.a; }
+vec4 focusTable(vec3 at) { return focus.table; }
+float nextColour(vec3 a, vec3 b, float u) { return 1.0; }

@@ -1,0 +1,27 @@
+#pragma once
+// The picture that the rays through the pixels' centres make.
+
+#include "rendering/stages/WallsAroundStage.h"
+
+namespace fenestra {
+
+/// The last of the stages up to there that lays something over the picture or beneath it.
+class PixelPicture {
+ public:
+  PixelPicture(const FocusLayerStage& focusLayer, const CompositeStage& composite, const ExemptStage& exempt,
+               const WallsAroundStage& walls)
+      : focusLayer_(focusLayer), composite_(composite), exempt_(exempt), walls_(walls) {}
+
+  /// Premultiplied RGBA32F.
+  Output picture() const {
+    return firstOf({walls_.picture(), exempt_.picture(), composite_.picture(), focusLayer_.layer()});
+  }
+
+ private:
+  const FocusLayerStage& focusLayer_;
+  const CompositeStage& composite_;
+  const ExemptStage& exempt_;
+  const WallsAroundStage& walls_;
+};
+
+}  // namespace fenestra

@@ -1,0 +1,23 @@
+#pragma once
+// Walls around the volume.
+
+#include "rendering/stages/ExemptStage.h"
+
+namespace fenestra {
+
+class WallsAroundStage : public WallStage {
+ public:
+  WallsAroundStage(StageList& list, const FocusLayerStage& focusLayer, const CompositeStage& composite,
+                   const ExemptStage& exempt)
+      : WallStage(list, WallPlacement::Around), focusLayer_(focusLayer), composite_(composite), exempt_(exempt) {}
+  void begin(const Frame& frame, Steps& steps) override {
+    stand(frame, steps, firstOf({exempt_.picture(), composite_.picture(), focusLayer_.layer()}), std::nullopt);
+  }
+
+ private:
+  const FocusLayerStage& focusLayer_;
+  const CompositeStage& composite_;
+  const ExemptStage& exempt_;
+};
+
+}  // namespace fenestra

@@ -1,0 +1,99 @@
+#pragma once
+// The window's commands: its menus, its toolbar and their keys. FileActions.cpp, ViewActions.cpp and StudyActions.cpp
+// hold the menus.
+
+#include <functional>
+
+#include <QList>
+#include <QMenu>
+#include <QObject>
+
+#include "viewer/actions/ViewCommands.h"
+#include "viewer/jobs/StudyLoader.h"
+#include "viewer/model/Preferences.h"
+#include "viewer/views/GlSupport.h"
+
+class QAction;
+class QKeySequence;
+class QMainWindow;
+
+namespace fenestra::viewer {
+
+class CutawayPanel;
+class Exports;
+class PictureExports;
+class FileOpener;
+class Guide;
+class RegionGrower;
+class Sessions;
+class Tour;
+class Verification;
+class ViewArea;
+struct Workspace;
+
+class Actions : public QObject {
+  Q_OBJECT
+ public:
+  /// What the commands act on. All outlive this.
+  struct Targets {
+    QMainWindow& window;  ///< gets the menu bar and the toolbar; has its docks already
+    Workspace& workspace;
+    StudyLoader& loader;
+    RegionGrower& grower;
+    FileOpener& files;
+    Exports& exports;
+    PictureExports& pictures;
+    Verification& verification;
+    Sessions& sessions;
+    ViewArea& views;
+    GlSupport gl;
+    std::function<void()> resetLayout;
+    CutawayPanel& cutaway;
+    Guide& guide;
+    Tour& tour;
+  };
+
+  /// The window owns this.
+  explicit Actions(const Targets& targets);
+
+  /// An entry in the File menu for data that comes with the program; this owns it.
+  QAction* addSample(const QString& name, StudyLoader::SampleReader read);
+
+ private:
+  QAction* action(const QString& text, const QKeySequence& keys, std::function<void()> does);
+  /// Enabled while something is open.
+  QAction* volumeAction(const QString& text, const QKeySequence& keys, std::function<void()> does);
+  /// Follows a preference, and changes it.
+  QAction* preferenceToggle(const QString& text, const QKeySequence& keys, Preference which);
+  QAction* toggle(const QString& text, const QKeySequence& keys, bool on, std::function<void(bool)> does);
+
+  void makeFileMenu();
+  /// The segmentations beside the series; hidden while there are none.
+  void addSegmentationMenu(QMenu& menu);
+  void addExports(QMenu& menu);
+  void makeEditMenu();
+  void makeViewMenu();
+  void makeLookFromMenu(QMenu& menu);
+  void makeCameraEntries(QMenu& menu);
+  QAction* makeFreezeEntry();
+  QMenu* makeAtRestMenu();
+  void makeOverlayEntries(QMenu& menu);
+  void makeWindowLevelMenu();
+  void makeMeasureMenu();
+  void makeFocusMenu();
+  void addRegionEntries(QMenu& menu);
+  void makeHelpMenu();
+  void fillRecentMenu();
+  /// Does the first of these that applies: cancels reading, exporting, verifying, growing or placing; puts the active
+  /// tool down; ends measuring; shows all views.
+  void stop();
+
+  Targets targets_;
+  ViewCommands viewCommands_;
+  QMenu *recent_ = nullptr, *samples_ = nullptr;
+  QList<QAction*> needVolume_;
+  /// The toolbar's actions, by group.
+  QList<QList<QAction*>> tools_;
+};
+
+}  // namespace fenestra::viewer

@@ -1,0 +1,132 @@
+// The File menu.
+
+#include <QAction>
+#include <QDir>
+#include <QMainWindow>
+#include <QMenuBar>
+
+#include "viewer/actions/Actions.h"
+#include "viewer/actions/SegmentationMenu.h"
+#include "viewer/exports/Exports.h"
+#include "viewer/exports/PictureExports.h"
+#include "viewer/files/FileOpener.h"
+#include "viewer/files/Sessions.h"
+#include "viewer/model/Paths.h"
+#include "viewer/model/Workspace.h"
+#include "viewer/style/Style.h"
+
+namespace fenestra::viewer {
+
+void Actions::makeFileMenu() {
+  QAction* folder =
+      action(tr("Open &folder…"), QKeySequence(tr("Ctrl+Shift+O")), [this] { targets_.files.chooseFolder(); });
+  folder->setIcon(icon("folder"));
+  QAction* file = action(tr("&Open file…"), QKeySequence::Open, [this] { targets_.files.chooseFile(); });
+  file->setIcon(icon("file"));
+  QAction* labels =
+      volumeAction(tr("Open &labels…"), QKeySequence(tr("Ctrl+L")), [this] { targets_.files.chooseLabels(); });
+  labels->setIcon(icon("labels"));
+  QAction* series = action(tr("Choose &series…"), {}, [this] { targets_.files.chooseSeries(); });
+  series->setEnabled(false);
+  connect(&targets_.workspace.document, &Document::volumeChanged, series,
+          [this, series] { series->setEnabled(!targets_.workspace.document.study().otherSeries.empty()); });
+
+  QAction* session = action(tr("Open s&ession…"), {}, [this] { targets_.sessions.choose(); });
+  QAction* save = volumeAction(tr("&Save session"), QKeySequence::Save, [this] { targets_.sessions.save(); });
+  save->setIcon(icon("save"));
+  QAction* saveAs =
+      volumeAction(tr("Save session &as…"), QKeySequence(tr("Ctrl+Shift+S")), [this] { targets_.sessions.saveAs(); });
+
+  QMenu* menu = targets_.window.menuBar()->addMenu(tr("&File"));
+  menu->addActions({folder, file, session});
+  recent_ = menu->addMenu(tr("&Recent"));
+  connect(recent_, &QMenu::aboutToShow, this, &Actions::fillRecentMenu);
+  samples_ = menu->addMenu(tr("&Built-in phantoms"));
+  samples_->menuAction()->setVisible(false);
+  menu->addSeparator();
+  menu->addActions({series, labels});
+  addSegmentationMenu(*menu);
+  menu->addSeparator();
+  menu->addActions({save, saveAs});
+  addExports(*menu);
+  menu->addSeparator();
+  menu->addAction(action(tr("&Quit"), QKeySequence::Quit, [this] { targets_.window.close(); }));
+  tools_ << QList<QAction*>{folder, file, labels, save};
+}
+
+void Actions::addSegmentationMenu(QMenu& menu) {
+  QMenu* segmentations = menu.addMenu(tr("Se&gmentations of this series"));
+  segmentations->menuAction()->setVisible(false);
+  const ViewOptions& options = targets_.workspace.options;
+  const auto fill = [this, segmentations, &options] {
+    const auto& found = targets_.workspace.document.study().segmentations;
+    fillSegmentationMenu(*segmentations, found,
+                         options.hidesPatient() ? SegmentationTitle::Nameless : SegmentationTitle::Full,
+                         targets_.loader);
+    segmentations->menuAction()->setVisible(!found.empty());
+  };
+  connect(&targets_.workspace.document, &Document::volumeChanged, segmentations, fill);
+  connect(&options, &ViewOptions::changed, segmentations, fill);
+}
+
+void Actions::addExports(QMenu& menu) {
+  Exports& exports = targets_.exports;
+  PictureExports& pictures = targets_.pictures;
+  QMenu* group = menu.addMenu(tr("E&xport"));
+  group->addAction(
+      volumeAction(tr("A &picture…"), QKeySequence(tr("Ctrl+E")), [&pictures] { pictures.choosePicture(); }));
+  group->addAction(volumeAction(tr("A &turntable…"), {}, [&pictures] { pictures.chooseTurntable(); }));
+  group->addSeparator();
+  QAction* all = group->addAction(tr("All &labels…"));
+  QAction* focus = group->addAction(tr("The &focus as labels…"));
+  QAction* surface = group->addAction(tr("The focus as a &surface…"));
+  QAction* measures = group->addAction(tr("&Measures as a table…"));
+  measures->setObjectName(QStringLiteral("exportMeasures"));
+  connect(measures, &QAction::triggered, this, [&exports] { exports.chooseMeasureFile(); });
+  connect(all, &QAction::triggered, this, [&exports] { exports.chooseLabelFile(Exports::Labels::All); });
+  connect(focus, &QAction::triggered, this, [&exports] { exports.chooseLabelFile(Exports::Labels::Focus); });
+  connect(surface, &QAction::triggered, this, [&exports] { exports.chooseSurfaceFile(); });
+  const auto enable = [&exports, all, focus, surface, measures] {
+    measures->setEnabled(exports.canWriteMeasures());
+    all->setEnabled(exports.canWriteLabels(Exports::Labels::All));
+    focus->setEnabled(exports.canWriteLabels(Exports::Labels::Focus));
+    surface->setEnabled(exports.canWriteSurface());
+  };
+  Document& document = targets_.workspace.document;
+  connect(&document, &Document::volumeChanged, group, enable);
+  connect(&document, &Document::labelsChanged, group, enable);
+  connect(&document, &Document::focusChanged, group, enable);
+  connect(&document, &Document::measuresChanged, group, enable);
+  enable();
+}
+
+QAction* Actions::addSample(const QString& name, StudyLoader::SampleReader read) {
+  samples_->menuAction()->setVisible(true);
+  QAction* sample = samples_->addAction(name);
+  connect(sample, &QAction::triggered, this, [this, read = std::move(read)] {
+    if (!targets_.sessions.mayGo()) return;
+    const Look look = targets_.workspace.preferences.startingLook({});
+    targets_.loader.open([read, look](const io::Progress& progress) { return read(look, progress); });
+  });
+  return sample;
+}
+
+void Actions::fillRecentMenu() {
+  recent_->clear();
+  for (const std::filesystem::path& path : targets_.workspace.preferences.recent()) {
+    // A folder or file is often named after its patient.
+    QAction* entry = recent_->addAction(targets_.workspace.options.hidesPatient()
+                                            ? tr("%1, name hidden").arg(recent_->actions().size() + 1)
+                                            : QDir::toNativeSeparators(toQString(path)));
+    connect(entry, &QAction::triggered, this, [this, path] { targets_.files.open({path}); });
+  }
+  if (recent_->isEmpty()) {
+    recent_->addAction(tr("Nothing yet"))->setEnabled(false);
+    return;
+  }
+  recent_->addSeparator();
+  connect(recent_->addAction(tr("Forget these")), &QAction::triggered, this,
+          [this] { targets_.workspace.preferences.clearRecent(); });
+}
+
+}  // namespace fenestra::viewer

@@ -1,0 +1,47 @@
+#include "viewer/actions/StructureMenu.h"
+
+#include <variant>
+
+#include <QCoreApplication>
+#include <QMenu>
+
+#include "viewer/model/LabelName.h"
+#include "viewer/model/Workspace.h"
+
+namespace fenestra::viewer {
+namespace {
+
+QString tr(const char* text) { return QCoreApplication::translate("StructureMenu", text); }
+
+}  // namespace
+
+void showStructureMenu(Workspace& workspace, glm::dvec3 world, QPoint at) {
+  Document& document = workspace.document;
+  QMenu menu;
+  const auto add = [&menu](const QString& text, auto does) {
+    QAction* action = menu.addAction(text);
+    QObject::connect(action, &QAction::triggered, &menu, std::move(does));
+    return action;
+  };
+  if (const Label* label = document.labelAt(world)) {
+    const std::uint16_t value = label->value;
+    const bool focused = document.isFocused(value);
+    add(tr("Focus on %1").arg(nameOf(*label)), [&document, value] { document.focusOn(value); });
+    add(focused ? tr("Take %1 out of the focus").arg(nameOf(*label)) : tr("Add %1 to the focus").arg(nameOf(*label)),
+        [&document, value, focused] { document.setFocused(value, !focused); });
+    menu.addSeparator();
+  }
+  add(tr("Grow a region from here"), [&document, world] { document.growFrom(world); });
+  if (document.region()) {
+    add(tr("Add this to the region"), [&document, world] { document.addSeed(world, true); });
+    add(tr("Take this away from the region"), [&document, world] { document.addSeed(world, false); });
+  }
+  menu.addSeparator();
+  add(tr("Crosshair here"), [&workspace, world] { workspace.cursor.moveTo(world); });
+  add(tr("No focus"), [&document] {
+    document.setFocus(std::monostate{});
+  })->setEnabled(!std::holds_alternative<std::monostate>(document.focus()));
+  menu.exec(at);
+}
+
+}  // namespace fenestra::viewer

@@ -1,0 +1,154 @@
+// What changes the study and how it is read: the menus Edit, Window/level, Measure and Focus.
+
+#include <QAction>
+#include <QMainWindow>
+#include <QMenuBar>
+
+#include "viewer/actions/Actions.h"
+#include "viewer/actions/MeasureMenu.h"
+#include "viewer/dialogs/SettingsDialog.h"
+#include "viewer/dialogs/WindowLevelDialog.h"
+#include "viewer/exports/PictureExports.h"
+#include "viewer/model/WindowPresets.h"
+#include "viewer/model/Workspace.h"
+#include "viewer/style/Style.h"
+
+namespace fenestra::viewer {
+
+void Actions::makeEditMenu() {
+  QUndoStack& steps = targets_.workspace.document.undoStack();
+  QAction* undo = steps.createUndoAction(this, tr("&Undo"));
+  undo->setShortcut(QKeySequence::Undo);
+  undo->setIcon(icon("undo"));
+  QAction* redo = steps.createRedoAction(this, tr("&Redo"));
+  redo->setShortcut(QKeySequence(tr("Ctrl+Shift+Z")));
+  redo->setIcon(icon("redo"));
+
+  Brush& brush = targets_.workspace.brush;
+  QAction* paint = volumeAction(tr("&Brush"), QKeySequence(tr("P")), [&brush] { brush.toggle(false); });
+  paint->setIcon(icon("brush"));
+  paint->setCheckable(true);
+  connect(&brush, &Brush::changed, paint, [&brush, paint] { paint->setChecked(brush.isActive()); });
+  QAction* opposite = volumeAction(tr("&Opposite brush"), QKeySequence(tr("E")), [&brush] { brush.toggle(true); });
+  constexpr double step = 1.2;
+  QAction* smaller =
+      volumeAction(tr("&Smaller brush"), QKeySequence(tr("[")), [&brush] { brush.scaleRadius(1.0 / step); });
+  QAction* larger = volumeAction(tr("&Larger brush"), QKeySequence(tr("]")), [&brush] { brush.scaleRadius(step); });
+
+  QMenu* menu = targets_.window.menuBar()->addMenu(tr("&Edit"));
+  menu->addActions({undo, redo});
+  menu->addSeparator();
+  PictureExports& pictures = targets_.pictures;
+  menu->addAction(volumeAction(tr("&Copy picture"), QKeySequence::Copy, [&pictures] { pictures.copyPicture(); }));
+  menu->addSeparator();
+  menu->addActions({paint, opposite, smaller, larger});
+  menu->addSeparator();
+  menu->addAction(action(tr("Se&ttings…"), {},
+                         [this] { SettingsDialog(targets_.workspace.preferences, &targets_.window).exec(); }));
+  tools_ << QList<QAction*>{undo, redo, paint};
+}
+
+void Actions::makeWindowLevelMenu() {
+  Document& document = targets_.workspace.document;
+  QMenu* menu = targets_.window.menuBar()->addMenu(tr("&Window/level"));
+  menu->addAction(volumeAction(tr("Of the data"), QKeySequence(tr("1")), [&document] { document.resetWindow(); }));
+  for (const WindowPreset& preset : ctWindowPresets)
+    menu->addAction(volumeAction(
+        tr("CT %1  (%2 / %3)").arg(tr(preset.name)).arg(preset.window.width).arg(preset.window.level),
+        QKeySequence(QString::number(preset.key)), [&document, &preset] { document.setWindow(preset.window); }));
+  menu->addSeparator();
+  menu->addAction(volumeAction(tr("By &number…"), QKeySequence(tr("W")), [this, &document] {
+    for (auto* open : targets_.window.findChildren<WindowLevelDialog*>())
+      if (open->isVisible()) {
+        open->raise();
+        return open->activateWindow();
+      }
+    auto* dialog = new WindowLevelDialog(document, &targets_.window);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->show();
+  }));
+  QAction* inverted =
+      toggle(tr("&Invert"), QKeySequence(tr("I")), false, [&document](bool on) { document.setInverted(on); });
+  connect(&document, &Document::windowChanged, inverted,
+          [&document, inverted] { inverted->setChecked(document.isInverted()); });
+  menu->addAction(inverted);
+}
+
+void Actions::makeMeasureMenu() {
+  Document& document = targets_.workspace.document;
+  MeasureMode& mode = targets_.workspace.measuring;
+  ViewOptions& options = targets_.workspace.options;
+  struct Entry {
+    const char *text, *key, *icon;
+    MeasureKind kind;
+  };
+  QList<QAction*> tools;
+  for (const Entry& tool : {Entry{QT_TR_NOOP("&Distance"), "D", "distance", MeasureKind::Distance},
+                            Entry{QT_TR_NOOP("&Angle"), "A", "angle", MeasureKind::Angle},
+                            Entry{QT_TR_NOOP("&Ellipse"), "Q", "ellipse", MeasureKind::Ellipse},
+                            Entry{QT_TR_NOOP("&Rectangle"), "B", "rectangle", MeasureKind::Rectangle}}) {
+    QAction* made =
+        volumeAction(tr(tool.text), QKeySequence(QLatin1String(tool.key)), [&mode, &options, kind = tool.kind] {
+          options.setMeasures(true);  // or what is drawn would not show
+          mode.toggle(kind);
+        });
+    made->setIcon(icon(tool.icon));
+    made->setCheckable(true);
+    connect(&mode, &MeasureMode::changed, made,
+            [&mode, made, kind = tool.kind] { made->setChecked(mode.kind() == kind); });
+    tools << made;
+  }
+  QAction* copy = action(tr("&Copy"), QKeySequence(tr("Ctrl+Shift+C")),
+                         [this, &mode] { copyMeasures(targets_.workspace, mode.selected()); });
+  QAction* remove = action(tr("De&lete"), QKeySequence::Delete, [&mode] { mode.removeSelected(); });
+  QAction* removeAll = action(tr("Delete a&ll"), {}, [&mode] { mode.removeAll(); });
+  const auto enable = [&document, &mode, copy, remove, removeAll] {
+    copy->setEnabled(!document.measures().empty());
+    remove->setEnabled(mode.selected().has_value());
+    removeAll->setEnabled(!document.measures().empty());
+  };
+  connect(&document, &Document::measuresChanged, this, enable);
+  connect(&mode, &MeasureMode::changed, this, enable);
+  enable();
+
+  QMenu* menu = targets_.window.menuBar()->addMenu(tr("&Measure"));
+  menu->addActions(tools);
+  menu->addSeparator();
+  menu->addActions({copy, remove, removeAll});
+  menu->addSeparator();
+  QAction* shown =
+      toggle(tr("&Show measures"), {}, options.measures(), [&options](bool on) { options.setMeasures(on); });
+  shown->setObjectName(QStringLiteral("showMeasures"));
+  connect(&options, &ViewOptions::changed, shown, [&options, shown] { shown->setChecked(options.measures()); });
+  menu->addAction(shown);
+  tools_ << tools;
+}
+
+void Actions::makeFocusMenu() {
+  QMenu* menu = targets_.window.menuBar()->addMenu(tr("F&ocus"));
+  addRegionEntries(*menu);
+  menu->addSeparator();
+  menu->addAction(volumeAction(tr("&No focus"), QKeySequence(tr("Ctrl+Backspace")),
+                               [this] { targets_.workspace.document.setFocus(std::monostate{}); }));
+}
+
+void Actions::addRegionEntries(QMenu& menu) {
+  Document& document = targets_.workspace.document;
+  ViewOptions& options = targets_.workspace.options;
+  QAction* grows = toggle(tr("&Click grows a region"), QKeySequence(tr("G")), options.grows(),
+                          [&options](bool on) { options.setGrows(on); });
+  grows->setIcon(icon("grow"));
+  connect(&options, &ViewOptions::changed, grows, [&options, grows] { grows->setChecked(options.grows()); });
+  QAction* less = action(tr("&Lower tolerance"), QKeySequence(tr(",")), [&document] { document.moveTolerance(-1); });
+  QAction* more = action(tr("&Higher tolerance"), QKeySequence(tr(".")), [&document] { document.moveTolerance(1); });
+  const auto enable = [&document, less, more] {
+    less->setEnabled(document.growth());
+    more->setEnabled(document.growth());
+  };
+  connect(&document, &Document::focusChanged, this, enable);
+  enable();
+  menu.addActions({grows, less, more});
+  tools_ << QList<QAction*>{grows};
+}
+
+}  // namespace fenestra::viewer

@@ -1,0 +1,118 @@
+#include "viewer/files/FileOpener.h"
+
+#include <optional>
+
+#include <QFileInfo>
+#include <QMenu>
+#include <QMimeData>
+#include <QTimer>
+#include <QUrl>
+
+#include "io/base/SessionName.h"
+#include "io/study/Interpret.h"
+#include "io/study/ReadStudy.h"
+#include "rendering/scene/LookStyle.h"
+#include "viewer/bars/NoticeBar.h"
+#include "viewer/dialogs/SeriesChooser.h"
+#include "viewer/files/Sessions.h"
+#include "viewer/model/Paths.h"
+#include "viewer/model/Workspace.h"
+#include "viewer/panels/FileDialog.h"
+
+namespace fenestra::viewer {
+namespace {
+
+/// The single-file formats in a file dialog's filter.
+QString volumePatterns() {
+  QStringList patterns;
+  for (const std::string_view ending : io::volumeEndings)
+    patterns << QStringLiteral("*") + QLatin1String(ending.data(), static_cast<qsizetype>(ending.size()));
+  return patterns.join(QLatin1Char(' '));
+}
+
+}  // namespace
+
+FileOpener::FileOpener(QWidget& window, Workspace& workspace, StudyLoader& loader, Sessions& sessions,
+                       NoticeBar& notices)
+    : QObject(&window),
+      window_(window),
+      document_(workspace.document),
+      preferences_(workspace.preferences),
+      cameras_(workspace.cameras),
+      loader_(loader),
+      sessions_(sessions),
+      notices_(notices) {}
+
+StudyLoader::Reader FileOpener::readerOf(const io::DataRequest& data) const {
+  io::StudyRequest request;
+  static_cast<io::DataRequest&>(request) = data;
+  request.look = preferences_.startingLook(styleOf(document_.look()));
+  request.projection = cameras_.projection();
+  return [request](const io::Progress& progress) { return io::readStudy(request, progress); };
+}
+
+void FileOpener::open(const std::vector<std::filesystem::path>& paths) {
+  if (!sessions_.mayGo()) return;
+  if (paths.size() == 1 && io::isSession(paths.front())) {
+    sessions_.open(paths.front());
+    return;
+  }
+  try {
+    loader_.open(readerOf(io::interpret(paths)));
+  } catch (const io::Error& error) {
+    notices_.add(NoticeBar::Kind::Error, QString::fromUtf8(error.what()));
+  }
+}
+
+void FileOpener::openSeries(const std::string& series) {
+  if (!sessions_.mayGo()) return;
+  io::DataRequest chosen;
+  chosen.path = document_.study().session.volume.path;
+  chosen.series = series;
+  loader_.open(readerOf(chosen));
+}
+
+void FileOpener::drop(const std::vector<std::filesystem::path>& paths, QPoint at) {
+  if (!document_.hasVolume() || paths.size() > 1 || io::isSession(paths.front()) ||
+      QFileInfo(toQString(paths.front())).isDir()) {
+    open(paths);
+    return;
+  }
+  // Asked from the event loop: the program that the file was dragged from waits until the drop has ended.
+  QTimer::singleShot(0, this, [this, path = paths.front(), at] {
+    QMenu menu;
+    connect(menu.addAction(tr("Open as volume")), &QAction::triggered, this, [this, path] { open({path}); });
+    connect(menu.addAction(tr("Open as labels of this volume")), &QAction::triggered, this,
+            [this, path] { loader_.openLabels(path); });
+    menu.exec(at);
+  });
+}
+
+void FileOpener::chooseFile() {
+  const QString kinds = tr("Volumes (*.dcm %1);;All files (*)").arg(volumePatterns());
+  if (const auto file = askForFile(&window_, {tr("Open a volume"), kinds})) open({*file});
+}
+
+void FileOpener::chooseFolder() {
+  if (const auto folder = askForFolder(&window_, {tr("Open a DICOM folder")})) open({*folder});
+}
+
+void FileOpener::chooseLabels() {
+  const QString kinds = tr("Label maps (*.dcm %1);;All files (*)").arg(volumePatterns());
+  if (const auto file = askForFile(&window_, {tr("Open a label map"), kinds})) loader_.openLabels(*file);
+}
+
+void FileOpener::chooseSeries() {
+  SeriesChooser chooser(document_.study(), &window_);
+  if (chooser.exec() != QDialog::Accepted) return;
+  if (const std::optional<std::string> series = chooser.chosen()) openSeries(*series);
+}
+
+std::vector<std::filesystem::path> localPaths(const QMimeData& data) {
+  std::vector<std::filesystem::path> paths;
+  for (const QUrl& url : data.urls())
+    if (url.isLocalFile()) paths.push_back(toPath(url.toLocalFile()));
+  return paths;
+}
+
+}  // namespace fenestra::viewer

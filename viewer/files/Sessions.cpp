@@ -1,0 +1,256 @@
+#include "viewer/files/Sessions.h"
+
+#include <QCoreApplication>
+#include <QDir>
+#include <QLocale>
+#include <QMessageBox>
+#include <QPushButton>
+
+#include "io/session/SessionFile.h"
+#include "io/study/ReadStudy.h"
+#include "viewer/bars/NoticeBar.h"
+#include "viewer/jobs/StudyLoader.h"
+#include "viewer/model/Paths.h"
+#include "viewer/model/Workspace.h"
+#include "viewer/panels/FileDialog.h"
+
+namespace fenestra::viewer {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Time between two copies: a crash loses a minute of work at most.
+constexpr int autosaveMilliseconds = 60000;
+
+FileKind sessionKind() { return {Sessions::tr("Sessions"), QLatin1String(io::sessionEnding)}; }
+
+SessionQuestions::Answer askToSave(QWidget* parent) {
+  switch (QMessageBox::question(parent, Sessions::tr("Unsaved work"),
+                                Sessions::tr("The changes since the last save would be lost. Save them?"),
+                                QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, QMessageBox::Save)) {
+    case QMessageBox::Save:
+      return SessionQuestions::Answer::Save;
+    case QMessageBox::Discard:
+      return SessionQuestions::Answer::Discard;
+    default:
+      return SessionQuestions::Answer::Cancel;
+  }
+}
+
+std::optional<fs::path> askForData(QWidget* parent, const io::DataMissing& missing) {
+  const bool labels = missing.data() == io::DataMissing::Data::Labels;
+  QMessageBox box(
+      QMessageBox::Question, Sessions::tr("Where is the data now?"),
+      labels ? Sessions::tr("The session's label map is needed.") : Sessions::tr("The session's volume is needed."),
+      QMessageBox::Cancel, parent);
+  QString cause = QString::fromStdString(missing.cause());
+  if (!cause.isEmpty()) cause[0] = cause[0].toUpper();
+  box.setInformativeText(cause + QLatin1Char('.'));
+  const QPushButton* file = box.addButton(Sessions::tr("Choose a file…"), QMessageBox::AcceptRole);
+  const QPushButton* folder =
+      labels ? nullptr : box.addButton(Sessions::tr("Choose a folder…"), QMessageBox::AcceptRole);
+  box.exec();
+  const QString from = toQString(missing.file().parent_path());
+  if (box.clickedButton() == file) return askForFile(parent, {Sessions::tr("The data"), {}, from});
+  if (folder && box.clickedButton() == folder)
+    return askForFolder(parent, {Sessions::tr("The data's folder"), {}, from});
+  return std::nullopt;
+}
+
+SessionQuestions::Answer askToRestore(QWidget* parent, const QDateTime& saved) {
+  QMessageBox box(QMessageBox::Question, Sessions::tr("Unsaved work"),
+                  Sessions::tr("Fenestra ended before the session was saved. A copy from %1 can be restored.")
+                      .arg(QLocale::system().toString(saved, QLocale::ShortFormat)),
+                  QMessageBox::NoButton, parent);
+  const QPushButton* restore = box.addButton(Sessions::tr("Restore"), QMessageBox::AcceptRole);
+  const QPushButton* discard = box.addButton(Sessions::tr("Discard"), QMessageBox::DestructiveRole);
+  box.addButton(Sessions::tr("Ask later"), QMessageBox::RejectRole);
+  box.exec();
+  return box.clickedButton() == restore   ? SessionQuestions::Answer::Save
+         : box.clickedButton() == discard ? SessionQuestions::Answer::Discard
+                                          : SessionQuestions::Answer::Cancel;
+}
+
+/// A request whose region the user can change in the window.
+io::StudyRequest editable(io::StudyRequest request) {
+  request.acceptsAnyRegion = true;
+  return request;
+}
+
+}  // namespace
+
+SessionQuestions sessionDialogs(QWidget* parent) {
+  return {
+      .saveChanges = [parent] { return askToSave(parent); },
+      .saveWhere = [parent](const fs::path& suggested) -> std::optional<fs::path> {
+        const auto file =
+            askForNewFile(parent, Sessions::tr("Save the session"), {sessionKind()}, toQString(suggested));
+        return file ? std::optional(file->path) : std::nullopt;
+      },
+      .openWhich =
+          [parent] {
+            const FileKind kind = sessionKind();
+            return askForFile(parent,
+                              {Sessions::tr("Open a session"), QStringLiteral("%1 (*%2)").arg(kind.name, kind.ending)});
+          },
+      .dataWhere = [parent](const io::DataMissing& missing) { return askForData(parent, missing); },
+      .restoreWork = [parent](const QDateTime& saved) { return askToRestore(parent, saved); },
+  };
+}
+
+Sessions::Sessions(QWidget& window, Workspace& workspace, StudyLoader& loader, NoticeBar& notices,
+                   SessionController::WindowPart part)
+    : QObject(&window),
+      window_(window),
+      workspace_(workspace),
+      loader_(loader),
+      notices_(notices),
+      controller_({workspace.document, workspace.cursor, workspace.cameras, workspace.placement, workspace.options},
+                  std::move(part)),
+      questions_(sessionDialogs(&window)) {
+  loader_.setMayReplaceLabels([this] { return workspace_.document.labelsAreInFile() || mayGo(); });
+  connect(&controller_, &SessionController::changed, this, &Sessions::showTitle);
+  connect(&controller_, &SessionController::saved, this,
+          [this](const QString& file) { workspace_.preferences.addRecent(toPath(file)); });
+  connect(&controller_, &SessionController::failed, this,
+          [this](const QString& message) { notices_.add(NoticeBar::Kind::Error, message); });
+}
+
+void Sessions::studyShown() {
+  controller_.studyOpened();
+  if (restoring_ && workspace_.document.study().isRecovered) controller_.adopt(*restoring_);
+  restoring_.reset();
+}
+
+void Sessions::showTitle() {
+  const Document& document = workspace_.document;
+  window_.setWindowTitle(document.hasVolume() ? QStringLiteral("%1[*] – Fenestra").arg(document.description())
+                                              : QStringLiteral("Fenestra"));
+  window_.setWindowModified(controller_.isModified());
+}
+
+void Sessions::open(const fs::path& file) {
+  open([file] { return editable(io::requestOfSession(file)); });
+}
+
+void Sessions::open(Request request) { open(std::move(request), {}, {}); }
+
+void Sessions::open(Request request, const fs::path& data, const fs::path& labels) {
+  loader_.open(
+      [request, data, labels](const io::Progress& progress) {
+        io::StudyRequest asked = request();
+        if (!data.empty()) asked.data = data;
+        if (!labels.empty()) asked.labels = labels;
+        return io::readStudy(asked, progress);
+      },
+      [this, request, data, labels](const io::DataMissing& missing) {
+        const std::optional<fs::path> there = questions_.dataWhere(missing);
+        if (!there) {
+          notices_.add(NoticeBar::Kind::Error, QString::fromUtf8(missing.what()));
+          return;
+        }
+        const bool areLabels = missing.data() == io::DataMissing::Data::Labels;
+        open(request, areLabels ? data : *there, areLabels ? *there : labels);
+      });
+}
+
+void Sessions::regularise(io::Regularise choice) {
+  if (!workspace_.document.labelsAreInFile()) {
+    notices_.add(
+        NoticeBar::Kind::Error,
+        tr("The labels that you kept are in no file yet, and reading the slices again would drop them. Save the "
+           "session first."));
+    return;
+  }
+  // The choice is a change of a session that has a file, and unsaved work stays unsaved.
+  const bool unsaved = controller_.isModified() || !controller_.file().empty();
+  io::Session session = controller_.session();
+  session.autosaveOf = controller_.file();
+  io::StudyRequest request;
+  request.path = request.data = session.volume.path;
+  request.labels = session.labels.path;
+  request.regularise = choice;
+  request.isRecovered = unsaved;
+  request.startFrom(std::move(session));
+  loader_.open([request = editable(std::move(request))](const io::Progress& progress) {
+    return io::readStudy(request, progress);
+  });
+}
+
+void Sessions::choose() {
+  if (const std::optional<fs::path> file = questions_.openWhich(); file && mayGo()) open(*file);
+}
+
+bool Sessions::save() {
+  if (controller_.file().empty()) return saveAs();
+  controller_.save(controller_.file());
+  return true;
+}
+
+bool Sessions::saveAs() {
+  fs::path suggested = controller_.file();
+  if (suggested.empty()) {
+    const fs::path& data = workspace_.document.study().session.volume.path;
+    suggested = (data.empty() ? toPath(QDir::homePath()) : fs::absolute(data).parent_path()) / "session";
+    suggested += io::sessionEnding;
+  }
+  std::optional<fs::path> file = questions_.saveWhere(suggested);
+  if (!file) return false;
+  if (!io::isSession(*file)) *file += io::sessionEnding;
+  controller_.save(*file);
+  return true;
+}
+
+bool Sessions::mayGo() {
+  controller_.waitUntilSaved();
+  if (!controller_.isModified()) return true;
+  switch (questions_.saveChanges()) {
+    case SessionQuestions::Answer::Save:
+      return save() && controller_.waitUntilSaved();
+    case SessionQuestions::Answer::Discard:
+      controller_.dropAutosave();
+      return true;
+    case SessionQuestions::Answer::Cancel:
+      break;
+  }
+  return false;
+}
+
+void Sessions::setKeepsCopies(bool keeps) {
+  keepsCopies_ = keeps;
+  if (copiesFolder_.empty()) return;
+  if (keeps)
+    controller_.startAutosave(copiesFolder_, autosaveMilliseconds);
+  else
+    controller_.stopAutosave();
+}
+
+bool Sessions::startRecovery(const fs::path& folder) {
+  copiesFolder_ = folder;
+  setKeepsCopies(keepsCopies_);
+  for (const AbandonedSession& abandoned : SessionController::abandonedIn(folder)) {
+    switch (questions_.restoreWork(abandoned.saved)) {
+      case SessionQuestions::Answer::Save:
+        restoring_ = abandoned;
+        open([file = abandoned.file] {
+          io::StudyRequest request = editable(io::requestOfSession(file));
+          request.isRecovered = true;
+          return request;
+        });
+        return true;
+      case SessionQuestions::Answer::Discard:
+        SessionController::removeCopy(abandoned.file);
+        break;
+      case SessionQuestions::Answer::Cancel:
+        break;
+    }
+  }
+  return false;
+}
+
+fs::path Sessions::recoveryFolder() {
+  const QString state = qEnvironmentVariable("XDG_STATE_HOME", QDir::homePath() + QStringLiteral("/.local/state"));
+  return toPath(state) / "fenestra" / "sessions";
+}
+
+}  // namespace fenestra::viewer

@@ -1,0 +1,69 @@
+#pragma once
+// The steps of a document's history: each turns one part of the document into what it was before or after.
+
+#include <cstdint>
+#include <vector>
+
+#include "viewer/model/Document.h"
+
+namespace fenestra::viewer {
+
+/// From one look to another. Strokes that both looks begin or end with are left out.
+class Document::LookChange : public Change {
+ public:
+  LookChange(Document& document, Look before, Look after);
+
+  void undo() override;
+  void redo() override;
+  bool absorb(const Change& next) override;
+  bool isNothing() const override { return before_ == after_; }
+  std::size_t bytes() const override;
+
+ private:
+  LookChange& operator=(LookChange&& other) noexcept;
+  /// `whole`, which is `from` with all its strokes, as `to`.
+  Look replaced(const Look& whole, const Look& from, const Look& to) const;
+
+  Document& document_;
+  Look before_, after_;
+  std::size_t firstStroke_ = 0;  ///< place of the first that differs
+};
+
+/// From one label map to another, and from one focus to another.
+class Document::LabelsChange : public Change {
+ public:
+  struct State {
+    std::uint64_t revision;
+    Focus focus;
+  };
+  LabelsChange(Document& document, segmentation::LabelEdit edit, State before, State after);
+
+  void undo() override;
+  void redo() override;
+  bool absorb(const Change&) override { return false; }
+  bool isNothing() const override;
+  std::size_t bytes() const override;
+
+ private:
+  Document& document_;
+  segmentation::LabelEdit edit_;
+  State before_, after_;
+};
+
+/// From one list of measures to another.
+class Document::MeasuresChange : public Change {
+ public:
+  MeasuresChange(Document& document, std::vector<Measure> before, std::vector<Measure> after);
+
+  void undo() override;
+  void redo() override;
+  bool absorb(const Change& next) override;
+  bool isNothing() const override { return before_ == after_; }
+  std::size_t bytes() const override;
+
+ private:
+  Document& document_;
+  std::vector<Measure> before_, after_;
+};
+
+}  // namespace fenestra::viewer

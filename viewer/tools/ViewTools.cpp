@@ -1,0 +1,59 @@
+#include "viewer/tools/ViewTools.h"
+
+#include <algorithm>
+#include <utility>
+
+#include <QMouseEvent>
+#include <QWheelEvent>
+
+#include "viewer/tools/Tool.h"
+
+namespace fenestra::viewer {
+
+ViewTools::ViewTools(std::vector<Tool*> tools) : tools_(std::move(tools)) {}
+
+bool ViewTools::press(const QMouseEvent& event) {
+  if (event.button() != Qt::LeftButton) return false;
+  const auto taker = std::find_if(tools_.begin(), tools_.end(), [&](Tool* tool) { return tool->press(event); });
+  holder_ = taker != tools_.end() ? *taker : nullptr;
+  return isBusy();
+}
+
+bool ViewTools::move(const QMouseEvent& event) {
+  for (Tool* tool : tools_) tool == holder_ ? tool->drag(event) : tool->hover(event);
+  return isBusy();
+}
+
+bool ViewTools::release(const QMouseEvent& event) {
+  const bool wasBusy = isBusy();
+  if (wasBusy && event.button() == Qt::LeftButton) std::exchange(holder_, nullptr)->release(event);
+  return wasBusy;
+}
+
+bool ViewTools::wheel(const QWheelEvent& event) {
+  return std::any_of(tools_.begin(), tools_.end(), [&](Tool* tool) { return tool->wheel(event); });
+}
+
+bool ViewTools::key(const QKeyEvent& event) {
+  return std::any_of(tools_.begin(), tools_.end(), [&](Tool* tool) { return tool->key(event); });
+}
+
+void ViewTools::leave() {
+  for (Tool* tool : tools_) tool->leave();
+}
+
+void ViewTools::refresh() {
+  for (Tool* tool : tools_) tool->refresh();
+}
+
+Qt::CursorShape ViewTools::pointer(QPointF position) const {
+  for (const Tool* tool : tools_)
+    if (const auto shape = tool->pointer(position)) return *shape;
+  return Qt::ArrowCursor;
+}
+
+void ViewTools::draw(QPainter& painter, const QRectF& view) const {
+  for (auto tool = tools_.rbegin(); tool != tools_.rend(); ++tool) (*tool)->draw(painter, view);
+}
+
+}  // namespace fenestra::viewer

@@ -1,0 +1,155 @@
+// How a slice looks on the screen: its picture with outlines and marks.
+
+#include <algorithm>
+#include <cmath>
+
+#include <QPainter>
+
+#include "viewer/model/Document.h"
+#include "viewer/model/PatientLines.h"
+#include "viewer/model/SliceCursor.h"
+#include "viewer/model/ViewOptions.h"
+#include "viewer/style/InterpolatedPlanes.h"
+#include "viewer/style/Overlay.h"
+#include "viewer/views/SliceView.h"
+
+namespace fenestra::viewer {
+
+void SliceView::paintEvent(QPaintEvent*) {
+  QPainter painter(this);
+  draw(painter, true);
+  // Not one of the marks, because saved pictures must not name the patient.
+  if (document_.hasVolume() && options_.text() && !options_.hidesPatient())
+    drawStudyText(painter, rect(), patientLines(document_.study().patient, document_.study().series), 1);
+  if (document_.hasVolume() && hasFocus()) {
+    painter.setPen(QColor(86, 140, 190));
+    painter.drawRect(rect().adjusted(0, 0, -1, -1));
+  }
+}
+
+void SliceView::draw(QPainter& painter, bool marks) {
+  painter.fillRect(rect(), Qt::black);
+  if (!document_.hasVolume()) return;
+  if (image_.isNull()) makeImage();
+
+  const double scale = pixelsPerMm();
+  const QPointF topLeft = QPointF(0.5 * width(), 0.5 * height()) - centre_ * scale;
+  const QRectF target(topLeft, QSizeF(geometry_.width * glm::length(geometry_.right) * scale,
+                                      geometry_.height * glm::length(geometry_.down) * scale));
+  painter.setRenderHint(QPainter::SmoothPixmapTransform);
+  painter.drawImage(target, image_);
+
+  drawOutlines(painter);
+  const bool interpolated = drawInterpolated(painter, target);
+  if (marks) drawMarks(painter, interpolated);
+}
+
+void SliceView::drawMarks(QPainter& painter, bool interpolated) const {
+  if (options_.labels()) drawSeeds(painter);
+  if (options_.crosshair()) drawCrosshair(painter);
+  const QRectF view = rect();
+  tools_.draw(painter, view);
+  drawEdgeLetters(painter, view, geometry_.right, geometry_.down);
+  drawScaleBar(painter, view, 1.0 / pixelsPerMm());
+  QStringList title{planeName(geometry_.plane)};
+  if (interpolated) title << tr("Interpolated, not scanned");
+  if (options_.text()) {
+    title << tr("%1 / %2").arg(slice_ + 1).arg(geometry_.count).replace(QLatin1Char(' '), QChar(QChar::Nbsp));
+    drawCorner(painter, view, Qt::AlignBottom | Qt::AlignLeft, windowText(painter.fontMetrics()), overlayGrey);
+    if (geometry_.plane != SlicePlane::Sagittal) {  // where left and right could be mistaken
+      const QString convention = tr("Radiological");
+      if (fitsBesideLetter(painter, view, convention))
+        drawCorner(painter, view, Qt::AlignTop | Qt::AlignRight, {convention}, overlayGrey);
+      else
+        title << convention;
+    }
+  }
+  drawCorner(painter, view, Qt::AlignTop | Qt::AlignLeft, title, planeColour(geometry_.plane));
+}
+
+void SliceView::drawOutlines(QPainter& painter) const {
+  if (!options_.labels()) return;
+  painter.save();
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.setBrush(Qt::NoBrush);
+  // Line by line, and no wider than a pixel where possible: Qt draws these ten times as fast as one path of all lines,
+  // and a focus by values has many.
+  const auto drawLines = [&painter](const QList<QPolygonF>& lines, const QPen& pen) {
+    painter.setPen(pen);
+    for (const QPolygonF& line : lines) painter.drawPolygon(line);
+  };
+  const QList<QPolygonF> opening = openingEdge().toSubpathPolygons();
+  QPen dashes(toColour(document_.look().cutaway.borderColour), 1.0);
+  dashes.setDashPattern({6.0, 5.0});
+  // A dark line below, so that the dashes show on bone.
+  drawLines(opening, QPen(QColor(0, 0, 0, 150), 2.4));
+  drawLines(opening, dashes);
+  const QTransform transform = widgetFromPixels();
+  QList<QPolygonF> removed;
+  for (const QPolygonF& line : removedOutline()) removed << transform.map(line);
+  drawLines(removed, QPen(QColor(0, 0, 0, 150), 2.4));
+  drawLines(removed, QPen(QColor(255, 170, 110), 1.0));
+  QList<QPolygonF> outline;
+  for (const QPolygonF& line : outline_) outline << transform.map(line);
+  drawLines(outline, QPen(QColor(255, 240, 190), 1.0));
+  painter.restore();
+}
+
+QStringList SliceView::windowText(const QFontMetrics& metrics) const {
+  const WindowLevel window = document_.window();
+  const int decimals = window.width < 10.0 ? 2 : 0;
+  QString level = tr("L %1").arg(window.level, 0, 'f', decimals);
+  if (const std::string& unit = document_.scene().volume->unit; !unit.empty())
+    level += QLatin1Char(' ') + QString::fromStdString(unit);
+  QStringList parts{tr("W %1").arg(window.width, 0, 'f', decimals), level};
+  if (document_.isInverted()) parts << tr("inverted");
+  // The letter of the patient's side stands in the middle of the edge.
+  const QString line = parts.join(QStringLiteral("  "));
+  const int letter = 2 * metrics.horizontalAdvance(QLatin1Char('W'));
+  return metrics.horizontalAdvance(line) + letter < width() / 2 ? QStringList{line} : parts;
+}
+
+bool SliceView::drawInterpolated(QPainter& painter, const QRectF& picture) const {
+  const std::optional<io::GeometryReport>& report = document_.study().geometry;
+  if (!report || report->interpolatedPlanes.empty()) return false;
+  const Grid& grid = document_.scene().volume->grid;
+  QTransform widgetFromPixel = QTransform::fromTranslate(picture.left(), picture.top());
+  widgetFromPixel.scale(picture.width() / geometry_.width, picture.height() / geometry_.height);
+  drawInterpolatedBands(painter, interpolatedBands(report->interpolatedPlanes, grid, geometry_, slice_),
+                        widgetFromPixel);
+  return isInterpolated(report->interpolatedPlanes, grid, geometry_, slice_);
+}
+
+void SliceView::drawCrosshair(QPainter& painter) const {
+  const QPointF at = widgetFromWorld(cursor_.position());
+  // Each line is where another plane cuts this one, in that plane's colour.
+  const SlicePlane vertical = geometry_.plane == SlicePlane::Sagittal ? SlicePlane::Coronal : SlicePlane::Sagittal;
+  const SlicePlane horizontal = geometry_.plane == SlicePlane::Axial ? SlicePlane::Coronal : SlicePlane::Axial;
+  constexpr double gap = 10.0;  // around the crossing, so that the lines do not cover the voxel
+  painter.save();
+  painter.setRenderHint(QPainter::Antialiasing, false);
+  const auto line = [&](SlicePlane plane, QPointF from, QPointF to) {
+    QColor colour = planeColour(plane);
+    colour.setAlpha(170);
+    painter.setPen(QPen(colour, 1));
+    painter.drawLine(from, to);
+  };
+  line(vertical, {at.x(), 0.0}, {at.x(), at.y() - gap});
+  line(vertical, {at.x(), at.y() + gap}, {at.x(), static_cast<double>(height())});
+  line(horizontal, {0.0, at.y()}, {at.x() - gap, at.y()});
+  line(horizontal, {at.x() + gap, at.y()}, {static_cast<double>(width()), at.y()});
+  painter.restore();
+}
+
+void SliceView::drawSeeds(QPainter& painter) const {
+  const RegionFocus* region = document_.region();
+  if (!region) return;
+  const auto draw = [&](const std::vector<glm::dvec3>& seeds, bool inside) {
+    for (const glm::dvec3 seed : seeds)
+      if (std::lround(geometry_.pixelFromWorld(seed).z) == slice_) drawSeed(painter, widgetFromWorld(seed), inside);
+  };
+  draw(region->inside, true);
+  draw(region->outside, false);
+}
+
+}  // namespace fenestra::viewer
