@@ -7,7 +7,7 @@
 
 #include "io/VolumeWriter.h"
 #include "io/base/Text.h"
-#include "io/dicom/Dicom.h"
+#include "io/dicom/DicomStart.h"
 #include "io/dicom/SegmentationWriter.h"
 
 namespace fenestra::io {

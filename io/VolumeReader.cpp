@@ -14,6 +14,7 @@
 #include "io/base/PlausibleGrid.h"
 #include "io/base/Text.h"
 #include "io/dicom/Dicom.h"
+#include "io/dicom/DicomStart.h"
 #include "io/formats/ImageFile.h"
 
 namespace fenestra::io {

@@ -7,7 +7,7 @@
 #include <optional>
 
 #include "io/dicom/Dcmtk.h"
-#include "io/dicom/DicomHeader.h"
+#include "io/dicom/DicomFile.h"
 
 namespace fenestra::io {
 

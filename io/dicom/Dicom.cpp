@@ -12,12 +12,16 @@
 #include "io/base/VolumeEnding.h"
 #include "io/base/VoxelSink.h"
 #include "io/dicom/DicomDir.h"
+#include "io/dicom/DicomHeader.h"
 #include "io/dicom/DicomRemarks.h"
 #include "io/dicom/DicomStack.h"
+#include "io/dicom/DicomStart.h"
 #include "io/dicom/DicomVoxels.h"
+#include "io/dicom/LabelObject.h"
 #include "io/dicom/PackedFiles.h"
 #include "io/dicom/Placement.h"
 #include "io/dicom/SharedProgress.h"
+#include "io/dicom/StackFrames.h"
 #include "rendering/scene/Parallel.h"
 
 namespace fenestra::io {

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "io/dicom/DicomHeader.h"
+#include "io/dicom/DicomFile.h"
 
 namespace fenestra::io {
 

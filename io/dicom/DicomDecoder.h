@@ -7,7 +7,7 @@
 #include <optional>
 #include <span>
 
-#include "io/dicom/DicomHeader.h"
+#include "io/dicom/DicomFile.h"
 #include "io/dicom/DicomPixels.h"
 
 namespace fenestra::io {

@@ -1,13 +1,27 @@
 #pragma once
-// A segmentation's or structure set's header, for the scan of a folder. Include in .cpp files alone.
+// The headers of segmentations and structure sets, for the scan of a folder: which of them belong to a series.
 
-#include "io/dicom/Dcmtk.h"
-#include "io/dicom/DicomLabels.h"
+#include <filesystem>
+#include <set>
+#include <string>
+
+#include "io/base/Reading.h"
+
+class DcmDataset;
 
 namespace fenestra::io {
 
-/// Label Map Segmentation Storage (PS3.4 B.5), which DCMTK 3.6.7 does not name.
-inline constexpr const char* labelMapSegmentationClass = "1.2.840.10008.5.1.4.1.1.66.7";
+/// A segmentation or structure set as far as listing it needs.
+struct DicomLabelObject {
+  SegmentationInfo info;
+  std::set<std::string> series;  ///< SeriesInstanceUIDs of the images that it was made from; may be empty
+  std::string frameOfReference;  ///< UID; may be empty
+  /// Whether it was made from the series; one that names no series belongs to all of its frame of reference.
+  bool belongsTo(const std::string& seriesUid, const std::string& frame) const;
+};
+
+/// Whether objects of the class (SOP Class UID) hold labels: segmentations, label maps, structure sets.
+bool isLabelClass(const std::string& sopClass);
 
 /// Reads what is there; missing attributes stay empty.
 DicomLabelObject labelObjectIn(DcmDataset& dataset, const std::filesystem::path& path);

@@ -2,7 +2,7 @@
 // Siemens mosaics: the slices of a volume as tiles of one square picture. Include in .cpp files alone.
 
 #include "io/dicom/Dcmtk.h"
-#include "io/dicom/DicomHeader.h"
+#include "io/dicom/DicomFile.h"
 
 namespace fenestra::io {
 

@@ -15,7 +15,6 @@
 #include "io/dicom/Dataset.h"
 #include "io/dicom/DicomDecoder.h"
 #include "io/dicom/DicomValues.h"
-#include "io/dicom/LabelObject.h"
 #include "io/dicom/Slabs.h"
 #include "rendering/scene/Parallel.h"
 

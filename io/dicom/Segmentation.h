@@ -6,6 +6,9 @@
 
 namespace fenestra::io {
 
+/// Label Map Segmentation Storage (PS3.4 B.5), which DCMTK 3.6.7 does not name.
+inline constexpr const char* labelMapSegmentationClass = "1.2.840.10008.5.1.4.1.1.66.7";
+
 /// A segment's label, else its description or property type; may be empty.
 std::string segmentName(DcmItem& segment, DcmDataset& dataset);
 

@@ -19,6 +19,7 @@
 
 #include "io/base/AtomicFile.h"
 #include "io/dicom/Dataset.h"
+#include "io/dicom/DicomHeader.h"
 #include "io/dicom/DicomValues.h"
 
 namespace fenestra::io {

@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "io/dicom/DicomHeader.h"
+#include "io/dicom/DicomFile.h"
 
 namespace fenestra::io {
 

@@ -7,7 +7,7 @@
 #include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
 
-#include "io/surface/Surface.h"
+#include "io/surface/Triangles.h"
 
 namespace fenestra::io {
 

@@ -1,11 +1,15 @@
 #pragma once
 // What the part that links VTK gives the programs: a module that they load when they need it.
 
-#include "io/surface/Surface.h"
+#include <filesystem>
+
+#include "io/base/Reading.h"
+#include "io/surface/Triangles.h"
+#include "rendering/scene/Scene.h"
 
 namespace fenestra::io {
 
-/// As extractSurface() and writeSurface(), which call them.
+/// What extractSurface() and writeSurface() call.
 Surface extractWithVtk(const Scene& scene, const std::filesystem::path& source, const SurfaceOptions& options,
                        const Progress& progress);
 void writeWithVtk(const Surface& surface, const std::filesystem::path& path, SurfaceFrame frame);

@@ -1,4 +1,4 @@
-#include "io/dicom/DicomStack.h"
+#include "io/dicom/StackFrames.h"
 
 #include <algorithm>
 #include <map>
