@@ -1,9 +1,9 @@
 #pragma once
-// --crop, --clip-plane and what else clips pictures (rendering/scene/Clipping.h).
+// --crop, --clip-plane and what else clips pictures (rendering/settings/Clipping.h).
 
 #include "app/options/Options.h"
 #include "io/study/StudyRequest.h"
-#include "rendering/scene/Clipping.h"
+#include "rendering/settings/Clipping.h"
 
 namespace fenestra::app {
 

@@ -12,8 +12,8 @@
 #include "app/options/WordOptions.h"
 #include "io/TransferFunctionFile.h"
 #include "rendering/scene/Lighting.h"
-#include "rendering/scene/LookStyle.h"
-#include "rendering/scene/Settings.h"
+#include "rendering/settings/LookStyle.h"
+#include "rendering/settings/Settings.h"
 
 namespace fenestra::app {
 namespace {

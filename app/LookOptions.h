@@ -1,6 +1,6 @@
 #pragma once
 // The options that say how a volume is looked at, most of them made from the declarations of settings
-// (rendering/scene/Settings.h): name, form, range, help text and default. `request` must outlive `command`.
+// (rendering/settings/Settings.h): name, form, range, help text and default. `request` must outlive `command`.
 
 #include "app/options/Options.h"
 #include "io/study/StudyRequest.h"

@@ -2,7 +2,7 @@
 // The seeds and balls of a region on the command line. `region` must outlive `command`.
 
 #include "app/options/Options.h"
-#include "rendering/scene/Focus.h"
+#include "rendering/settings/Focus.h"
 
 namespace fenestra::app {
 

@@ -7,7 +7,7 @@
 
 #include "app/options/Numbers.h"
 #include "rendering/scene/RemovedVoxels.h"
-#include "rendering/scene/SettingWords.h"
+#include "rendering/settings/SettingWords.h"
 
 namespace fenestra::app {
 namespace {

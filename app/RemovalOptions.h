@@ -1,8 +1,8 @@
 #pragma once
-// --carve and --bend: what is removed from a volume (rendering/scene/Removal.h).
+// --carve and --bend: what is removed from a volume (rendering/settings/Removal.h).
 
 #include "app/options/Options.h"
-#include "rendering/scene/Removal.h"
+#include "rendering/settings/Removal.h"
 
 namespace fenestra::app {
 

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "app/options/Numbers.h"
-#include "rendering/scene/Setting.h"
+#include "rendering/settings/Setting.h"
 
 namespace fenestra::app {
 

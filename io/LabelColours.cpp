@@ -9,7 +9,7 @@
 
 #include "fenestra/resources.h"
 #include "io/base/Text.h"
-#include "rendering/scene/LabelMap.h"
+#include "rendering/volume/LabelMap.h"
 
 namespace fenestra::io {
 namespace {

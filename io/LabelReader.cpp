@@ -17,7 +17,7 @@
 #include "io/base/Text.h"
 #include "io/dicom/DicomLabels.h"
 #include "io/formats/ImageFile.h"
-#include "rendering/scene/Parallel.h"
+#include "rendering/volume/Threads.h"
 
 namespace fenestra::io {
 namespace fs = std::filesystem;

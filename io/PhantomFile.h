@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "io/VolumeReader.h"
-#include "rendering/scene/Phantom.h"
+#include "rendering/volume/Phantom.h"
 
 namespace fenestra::io {
 

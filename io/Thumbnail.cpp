@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "io/VolumeReader.h"
-#include "rendering/scene/Slice.h"
+#include "rendering/volume/Slice.h"
 
 namespace fenestra::io {
 namespace {

@@ -14,8 +14,8 @@
 #include <vector>
 
 #include "io/base/Error.h"
-#include "rendering/scene/Look.h"
-#include "rendering/scene/Volume.h"
+#include "rendering/settings/Look.h"
+#include "rendering/volume/Volume.h"
 
 namespace fenestra::io {
 

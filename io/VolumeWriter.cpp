@@ -23,7 +23,7 @@
 #include "io/base/ByteStream.h"
 #include "io/base/Text.h"
 #include "io/base/VoxelSink.h"
-#include "rendering/scene/Parallel.h"
+#include "rendering/volume/Threads.h"
 
 namespace fenestra::io {
 namespace fs = std::filesystem;

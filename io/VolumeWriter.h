@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "rendering/scene/Volume.h"
+#include "rendering/volume/Volume.h"
 
 namespace fenestra::io {
 

@@ -5,7 +5,7 @@
 
 #include "rendering/Chain.h"
 #include "rendering/PickedPlace.h"
-#include "rendering/scene/BrushStroke.h"
+#include "rendering/settings/BrushStroke.h"
 
 namespace fenestra {
 

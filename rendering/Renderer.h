@@ -10,9 +10,9 @@
 
 #include "rendering/Layers.h"
 #include "rendering/PickedPlace.h"
-#include "rendering/scene/BrushStroke.h"
 #include "rendering/scene/Scene.h"
 #include "rendering/scene/View.h"
+#include "rendering/settings/BrushStroke.h"
 #include "rendering/stages/Pass.h"
 
 namespace fenestra {

@@ -2,8 +2,8 @@
 // How densely a view's rays are followed and sampled.
 
 #include "rendering/passes/FocusLayerPass.h"
-#include "rendering/scene/Grid.h"
 #include "rendering/scene/View.h"
+#include "rendering/volume/Grid.h"
 
 namespace fenestra {
 

@@ -13,7 +13,8 @@
 #include <QVBoxLayout>
 
 #include "rendering/gpu/FocusIndex.h"
-#include "rendering/segmentation/Table.h"
+#include "rendering/scene/VisibleFraming.h"
+#include "rendering/segmentation/Couch.h"
 #include "viewer/DockHeights.h"
 #include "viewer/StudyNotices.h"
 #include "viewer/UndoKeys.h"

@@ -2,11 +2,12 @@
 
 #include <utility>
 
-#include "app/benchmark/Measure.h"
+#include "app/benchmark/Measurable.h"
 #include "app/benchmark/Timed.h"
 #include "rendering/gpu/GpuScene.h"
 #include "rendering/placement/Placer.h"
 #include "rendering/reference/Picture.h"
+#include "rendering/scene/VisibleFraming.h"
 
 namespace fenestra::bench {
 namespace {

@@ -6,7 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "app/benchmark/Text.h"
+#include "app/benchmark/Numbers.h"
 #include "fenestra/resources.h"
 
 namespace fenestra::bench {

@@ -1,4 +1,5 @@
 #include "app/benchmark/Views.h"
+#include "rendering/scene/VisibleFraming.h"
 
 #include <algorithm>
 #include <cmath>

@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "rendering/scene/Camera.h"
 #include "rendering/scene/Scene.h"
+#include "rendering/settings/Camera.h"
 
 namespace fenestra::bench {
 

@@ -10,8 +10,8 @@
 #include "io/surface/Surface.h"
 #include "rendering/gpu/Schedule.h"
 #include "rendering/placement/Placer.h"
-#include "rendering/scene/Slice.h"
 #include "rendering/segmentation/RegionGrowing.h"
+#include "rendering/volume/Slice.h"
 
 namespace fenestra::cli {
 

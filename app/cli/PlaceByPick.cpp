@@ -7,6 +7,7 @@
 #include "app/cli/Commands.h"
 #include "app/cli/Report.h"
 #include "io/study/ReadStudy.h"
+#include "rendering/scene/VisibleFraming.h"
 #include "rendering/segmentation/PickedStructure.h"
 #include "rendering/viewpoints/LiveSync.h"
 #include "rendering/viewpoints/Sphere.h"

@@ -11,6 +11,7 @@
 #include "io/study/ReadStudy.h"
 #include "rendering/egl/EglContext.h"
 #include "rendering/gpu/GpuScene.h"
+#include "rendering/scene/VisibleFraming.h"
 
 namespace fenestra::cli {
 namespace {

@@ -24,6 +24,7 @@
 #include "rendering/gpu/GpuScene.h"
 #include "rendering/placement/Placer.h"
 #include "rendering/reference/Picture.h"
+#include "rendering/scene/VisibleFraming.h"
 
 namespace fenestra::cli {
 namespace {

@@ -1,10 +1,10 @@
 #pragma once
-// Options that take the words of an enumeration (rendering/scene/SettingWords.h).
+// Options that take the words of an enumeration (rendering/settings/SettingWords.h).
 
 #include <string>
 
 #include "app/options/Options.h"
-#include "rendering/scene/SettingWords.h"
+#include "rendering/settings/SettingWords.h"
 
 namespace fenestra::app {
 

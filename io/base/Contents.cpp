@@ -9,7 +9,7 @@
 
 #include <openssl/evp.h>
 
-#include "rendering/scene/Parallel.h"
+#include "rendering/volume/Threads.h"
 
 namespace fenestra::io {
 namespace {

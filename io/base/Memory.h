@@ -6,7 +6,7 @@
 #include <new>
 
 #include "io/base/Error.h"
-#include "rendering/scene/Voxels.h"
+#include "rendering/volume/Voxels.h"
 
 namespace fenestra::io {
 

@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "rendering/scene/Grid.h"
+#include "rendering/volume/Grid.h"
 
 namespace fenestra::io {
 

@@ -11,8 +11,8 @@
 
 #include "io/base/Error.h"
 #include "io/base/Regularise.h"
-#include "rendering/scene/LabelMap.h"
-#include "rendering/scene/Volume.h"
+#include "rendering/volume/LabelMap.h"
+#include "rendering/volume/Volume.h"
 
 namespace fenestra::io {
 

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <span>
 
-#include "rendering/scene/Voxels.h"
+#include "rendering/volume/Voxels.h"
 
 namespace fenestra::io {
 

@@ -22,7 +22,7 @@
 #include "io/dicom/Placement.h"
 #include "io/dicom/SharedProgress.h"
 #include "io/dicom/StackFrames.h"
-#include "rendering/scene/Parallel.h"
+#include "rendering/volume/Threads.h"
 
 namespace fenestra::io {
 namespace fs = std::filesystem;

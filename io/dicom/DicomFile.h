@@ -11,7 +11,7 @@
 
 #include "io/base/Reading.h"
 #include "io/dicom/DicomPixels.h"
-#include "rendering/scene/Volume.h"
+#include "rendering/volume/Volume.h"
 
 namespace fenestra::io {
 

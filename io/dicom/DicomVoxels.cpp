@@ -14,7 +14,7 @@
 #include "io/dicom/DicomDecoder.h"
 #include "io/dicom/SharedProgress.h"
 #include "io/dicom/StoredIntegers.h"
-#include "rendering/scene/Parallel.h"
+#include "rendering/volume/Threads.h"
 
 namespace fenestra::io {
 namespace fs = std::filesystem;

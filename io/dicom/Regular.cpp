@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "rendering/scene/Parallel.h"
+#include "rendering/volume/Threads.h"
 
 namespace fenestra::io {
 namespace {

@@ -16,7 +16,7 @@
 #include "io/dicom/DicomDecoder.h"
 #include "io/dicom/DicomValues.h"
 #include "io/dicom/Slabs.h"
-#include "rendering/scene/Parallel.h"
+#include "rendering/volume/Threads.h"
 
 namespace fenestra::io {
 namespace fs = std::filesystem;

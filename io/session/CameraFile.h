@@ -9,7 +9,7 @@
 #include <filesystem>
 
 #include "io/base/Error.h"
-#include "rendering/scene/Camera.h"
+#include "rendering/settings/Camera.h"
 
 namespace fenestra::io {
 

@@ -21,7 +21,7 @@
 #include <nlohmann/json.hpp>
 
 #include "io/base/Error.h"
-#include "rendering/scene/Settings.h"
+#include "rendering/settings/Settings.h"
 
 namespace fenestra::io::json {
 

@@ -4,7 +4,7 @@
 
 #include "io/base/AtomicFile.h"
 #include "io/session/SceneJson.h"
-#include "rendering/scene/LookStyle.h"
+#include "rendering/settings/LookStyle.h"
 
 namespace fenestra::io {
 namespace {

@@ -1,5 +1,5 @@
 #pragma once
-// A user's preset: the style of a look (rendering/scene/LookStyle.h) as a JSON file of its own, for other volumes.
+// A user's preset: the style of a look (rendering/settings/LookStyle.h) as a JSON file of its own, for other volumes.
 //
 // { "format": "fenestra-look", "version": 1, "name": "Vessels", "unit": "HU", "nodes": […], "shift": 0, …,
 //   "labels": [{ "label": "liver", "nodes": […] }] }

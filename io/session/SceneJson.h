@@ -1,13 +1,13 @@
 #pragma once
 // The members of a look and of its parts in JSON, for sessions and for files of strokes and looks. Settings come from
-// their tables in rendering/scene/Settings.h. Private to io/session.
+// their tables in rendering/settings/Settings.h. Private to io/session.
 
 #include <algorithm>
 #include <cmath>
 #include <functional>
 
 #include "io/session/JsonSchema.h"
-#include "rendering/scene/Settings.h"
+#include "rendering/settings/Settings.h"
 
 // Found by argument-dependent lookup, hence the scene's own namespace.
 namespace fenestra {

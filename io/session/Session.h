@@ -14,12 +14,12 @@
 
 #include "io/base/Contents.h"
 #include "io/base/Reading.h"
-#include "rendering/scene/Camera.h"
-#include "rendering/scene/Look.h"
-#include "rendering/scene/Measure.h"
-#include "rendering/scene/PlacementOptions.h"
-#include "rendering/scene/Quality.h"
 #include "rendering/scene/View.h"
+#include "rendering/settings/Camera.h"
+#include "rendering/settings/Look.h"
+#include "rendering/settings/PlacementOptions.h"
+#include "rendering/settings/Quality.h"
+#include "rendering/volume/SliceMeasure.h"
 
 namespace fenestra::io {
 

@@ -5,12 +5,12 @@
 //   "anchors": [[x, y, z], …] (world, mm), "radius": mm, "softness": 0..1, "depth": mm, "amount": 0..1,
 //   "to_surface": false, "covers_focus": false, "hidden": false, "view": -1 (all) | 0 (C1) | 1 (C2)}, … ] }
 //
-// A missing member has its default of rendering/scene/BrushStroke.h. In a session, "strokes" is the same list.
+// A missing member has its default of rendering/settings/BrushStroke.h. In a session, "strokes" is the same list.
 
 #include <filesystem>
 
 #include "io/base/Error.h"
-#include "rendering/scene/BrushStroke.h"
+#include "rendering/settings/BrushStroke.h"
 
 namespace fenestra::io {
 

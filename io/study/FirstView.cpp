@@ -4,6 +4,7 @@
 #include "io/study/PhantomView.h"
 #include "io/study/Study.h"
 #include "io/study/StudyRequest.h"
+#include "rendering/scene/VisibleFraming.h"
 
 namespace fenestra::io {
 namespace {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "rendering/scene/LabelMap.h"
+#include "rendering/volume/LabelMap.h"
 
 namespace fenestra::io {
 

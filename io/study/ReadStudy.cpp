@@ -17,7 +17,7 @@
 #include "io/study/LookChanges.h"
 #include "io/study/PhantomView.h"
 #include "io/study/SessionData.h"
-#include "rendering/segmentation/Table.h"
+#include "rendering/segmentation/Couch.h"
 
 namespace fenestra::io {
 namespace {

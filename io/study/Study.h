@@ -8,10 +8,10 @@
 #include <vector>
 
 #include "io/session/Session.h"
-#include "rendering/scene/Framing.h"
 #include "rendering/scene/View.h"
 #include "rendering/segmentation/DrawnScene.h"
 #include "rendering/segmentation/RegionGrowing.h"
+#include "rendering/settings/Framing.h"
 
 namespace fenestra::io {
 

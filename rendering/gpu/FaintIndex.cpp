@@ -5,7 +5,7 @@
 #include <optional>
 #include <span>
 
-#include "rendering/scene/Parallel.h"
+#include "rendering/volume/Threads.h"
 
 namespace fenestra {
 namespace {

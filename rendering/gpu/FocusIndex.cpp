@@ -8,7 +8,7 @@
 #include <numeric>
 
 #include "rendering/gpu/LabelIndex.h"
-#include "rendering/scene/Parallel.h"
+#include "rendering/volume/Threads.h"
 
 namespace fenestra {
 namespace {

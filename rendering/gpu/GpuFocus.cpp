@@ -4,7 +4,7 @@
 #include <span>
 #include <utility>
 
-#include "rendering/scene/Parallel.h"
+#include "rendering/volume/Threads.h"
 
 namespace fenestra {
 

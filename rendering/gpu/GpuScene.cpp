@@ -10,7 +10,7 @@
 
 #include "rendering/gpu/PreIntegration.h"
 #include "rendering/gpu/TransferTables.h"
-#include "rendering/scene/Parallel.h"
+#include "rendering/volume/Threads.h"
 
 namespace fenestra {
 namespace {

@@ -5,7 +5,7 @@
 
 #include "rendering/gpu/GpuScene.h"
 #include "rendering/scene/Lighting.h"
-#include "rendering/scene/Parallel.h"
+#include "rendering/volume/Threads.h"
 
 namespace fenestra {
 

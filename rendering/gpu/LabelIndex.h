@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "rendering/gpu/FocusIndex.h"
-#include "rendering/scene/LabelMap.h"
+#include "rendering/volume/LabelMap.h"
 
 namespace fenestra {
 

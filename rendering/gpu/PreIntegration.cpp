@@ -6,7 +6,7 @@
 #include <cstdint>
 
 #include "rendering/gpu/TransferTables.h"
-#include "rendering/scene/Parallel.h"
+#include "rendering/volume/Threads.h"
 
 namespace fenestra {
 namespace {

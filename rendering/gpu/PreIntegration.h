@@ -6,7 +6,7 @@
 #include <glm/glm.hpp>
 
 #include "rendering/gl/Texture.h"
-#include "rendering/scene/TransferFunction.h"
+#include "rendering/settings/TransferFunction.h"
 
 namespace fenestra {
 

@@ -8,8 +8,8 @@
 #include "rendering/gl/ShaderProgram.h"
 #include "rendering/gpu/Bricks.h"
 #include "rendering/gpu/Uniforms.h"
-#include "rendering/scene/Camera.h"
-#include "rendering/scene/Clipping.h"
+#include "rendering/settings/Camera.h"
+#include "rendering/settings/Clipping.h"
 
 namespace fenestra {
 

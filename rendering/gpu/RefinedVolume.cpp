@@ -7,7 +7,7 @@
 #include <span>
 #include <type_traits>
 
-#include "rendering/gpu/Slabs.h"
+#include "rendering/gpu/UploadSlabs.h"
 #include "rendering/scene/Lighting.h"
 
 namespace fenestra {

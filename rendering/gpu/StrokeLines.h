@@ -1,13 +1,13 @@
 #pragma once
 // Brush strokes as a view sees them: straight lines on the picture, and the part of the picture that a change of
-// strokes reaches. See rendering/scene/BrushStroke.h for what they do there.
+// strokes reaches. See rendering/settings/BrushStroke.h for what they do there.
 
 #include <algorithm>
 #include <vector>
 
 #include "rendering/gl/ShaderProgram.h"
 #include "rendering/gpu/RayFrame.h"
-#include "rendering/scene/BrushStroke.h"
+#include "rendering/settings/BrushStroke.h"
 
 namespace fenestra {
 

@@ -9,7 +9,7 @@
 
 #include "rendering/gl/Texture.h"
 #include "rendering/gpu/VolumeTexture.h"
-#include "rendering/scene/TransferFunction.h"
+#include "rendering/settings/TransferFunction.h"
 
 namespace fenestra {
 

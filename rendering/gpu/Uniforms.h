@@ -6,7 +6,7 @@
 
 #include <glm/glm.hpp>
 
-#include "rendering/scene/Clipping.h"
+#include "rendering/settings/Clipping.h"
 
 namespace fenestra {
 

@@ -7,9 +7,9 @@
 
 #include "rendering/gl/Context.h"
 #include "rendering/gpu/RenderError.h"
-#include "rendering/gpu/Slabs.h"
+#include "rendering/gpu/UploadSlabs.h"
 #include "rendering/scene/Lighting.h"
-#include "rendering/scene/Parallel.h"
+#include "rendering/volume/Threads.h"
 
 namespace fenestra {
 namespace {

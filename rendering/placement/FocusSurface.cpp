@@ -7,7 +7,7 @@
 #include <cstdlib>
 #include <span>
 
-#include "rendering/scene/Parallel.h"
+#include "rendering/volume/Threads.h"
 
 namespace fenestra::placement {
 namespace {

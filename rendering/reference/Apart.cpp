@@ -8,7 +8,7 @@
 
 #include "rendering/reference/Apart.h"
 #include "rendering/reference/Importance.h"
-#include "rendering/scene/Parallel.h"
+#include "rendering/volume/Threads.h"
 
 namespace fenestra::reference {
 namespace {

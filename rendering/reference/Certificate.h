@@ -38,7 +38,7 @@ inline constexpr double wantedShare = 0.999, wantedConfidence = 0.95;
 double leastShare(int pixels, int exceeding, double confidence);
 
 /// `picture`: premultiplied RGBA before rounding to 8 bits, row by row from the top, of the view's size. What is not a
-/// number is infinitely wrong. Takes from seconds to minutes: within an Interruptible (rendering/scene/Parallel.h) it
+/// number is infinitely wrong. Takes from seconds to minutes: within an Interruptible (rendering/volume/Threads.h) it
 /// can be stopped.
 Certificate certify(std::span<const glm::vec4> picture, const Scene& scene, const View& view,
                     const CertificateOptions& options = {});

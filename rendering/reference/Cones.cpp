@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "rendering/reference/Reference.h"
-#include "rendering/scene/Parallel.h"
+#include "rendering/volume/Threads.h"
 
 namespace fenestra::reference {
 namespace {

@@ -2,7 +2,7 @@
 
 #include "rendering/reference/Field.h"
 #include "rendering/reference/Light.h"
-#include "rendering/scene/Parallel.h"
+#include "rendering/volume/Threads.h"
 
 namespace fenestra::reference {
 namespace {

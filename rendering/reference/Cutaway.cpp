@@ -8,7 +8,7 @@
 #include "rendering/reference/Strokes.h"
 #include "rendering/scene/EdgeRays.h"
 #include "rendering/scene/FocusCells.h"
-#include "rendering/scene/Parallel.h"
+#include "rendering/volume/Threads.h"
 
 namespace fenestra::reference {
 namespace {

@@ -1,11 +1,11 @@
 #pragma once
-// A focal region in double precision, as MethodStages::Fading::Region (rendering/scene/Method.h) defines it.
+// A focal region in double precision, as MethodStages::Fading::Region (rendering/settings/Method.h) defines it.
 
 #include <vector>
 
 #include "rendering/reference/Reference.h"
 #include "rendering/scene/FocusDistances.h"
-#include "rendering/scene/Method.h"
+#include "rendering/settings/Method.h"
 
 namespace fenestra::reference {
 

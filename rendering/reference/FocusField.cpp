@@ -1,6 +1,6 @@
 #include "rendering/reference/FocusField.h"
 
-#include "rendering/scene/Parallel.h"
+#include "rendering/volume/Threads.h"
 
 namespace fenestra::reference {
 

@@ -15,7 +15,7 @@
 #include "rendering/scene/Fading.h"
 #include "rendering/scene/Importance.h"
 #include "rendering/scene/Lighting.h"
-#include "rendering/scene/Parallel.h"
+#include "rendering/volume/Threads.h"
 
 namespace fenestra::reference {
 namespace {

@@ -1,8 +1,8 @@
 #pragma once
 // A ghost of what an opening would remove in double precision, as MethodStages::Fading::Ghost
-// (rendering/scene/Method.h) defines it.
+// (rendering/settings/Method.h) defines it.
 
-#include "rendering/scene/Method.h"
+#include "rendering/settings/Method.h"
 
 namespace fenestra::reference {
 

@@ -1,7 +1,7 @@
 #include "rendering/reference/ContextFunctions.h"
 #include "rendering/reference/Field.h"
 #include "rendering/reference/FocusField.h"
-#include "rendering/scene/Parallel.h"
+#include "rendering/volume/Threads.h"
 
 namespace fenestra::reference {
 namespace {

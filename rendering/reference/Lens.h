@@ -1,5 +1,5 @@
 #pragma once
-// ClearView's lens in double precision, as MethodStages::Lens (rendering/scene/Method.h) defines it.
+// ClearView's lens in double precision, as MethodStages::Lens (rendering/settings/Method.h) defines it.
 
 #include <vector>
 

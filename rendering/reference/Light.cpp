@@ -1,7 +1,7 @@
 #include "rendering/reference/Light.h"
 
 #include "rendering/scene/Lighting.h"
-#include "rendering/scene/Parallel.h"
+#include "rendering/volume/Threads.h"
 
 namespace fenestra::reference {
 namespace {

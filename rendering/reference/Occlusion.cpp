@@ -3,7 +3,7 @@
 #include <limits>
 
 #include "rendering/scene/Lighting.h"
-#include "rendering/scene/Parallel.h"
+#include "rendering/volume/Threads.h"
 
 namespace fenestra::reference {
 namespace {

@@ -6,7 +6,7 @@
 #include <iterator>
 
 #include "rendering/reference/Cells.h"
-#include "rendering/scene/TransferFunction.h"
+#include "rendering/settings/TransferFunction.h"
 
 namespace fenestra::reference {
 

@@ -10,8 +10,8 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "rendering/scene/FocusCells.h"
-#include "rendering/scene/Parallel.h"
 #include "rendering/scene/Peel.h"
+#include "rendering/volume/Threads.h"
 
 namespace fenestra::reference {
 namespace {

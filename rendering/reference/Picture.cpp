@@ -14,8 +14,8 @@
 #include "rendering/scene/Explosion.h"
 #include "rendering/scene/Fading.h"
 #include "rendering/scene/Lighting.h"
-#include "rendering/scene/Parallel.h"
 #include "rendering/scene/Walls.h"
+#include "rendering/volume/Threads.h"
 
 namespace fenestra::reference {
 namespace {

@@ -4,8 +4,8 @@
 
 #include <vector>
 
-#include "rendering/scene/Grid.h"
-#include "rendering/scene/Removal.h"
+#include "rendering/settings/Removal.h"
+#include "rendering/volume/Grid.h"
 
 namespace fenestra::reference {
 

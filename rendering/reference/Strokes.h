@@ -1,5 +1,5 @@
 #pragma once
-// Brush strokes on the CPU in double precision: what rendering/scene/BrushStroke.h defines, line by line.
+// Brush strokes on the CPU in double precision: what rendering/settings/BrushStroke.h defines, line by line.
 
 #include "rendering/reference/Reference.h"
 

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <limits>
 
-#include "rendering/scene/Parallel.h"
 #include "rendering/scene/Walls.h"
+#include "rendering/volume/Threads.h"
 
 namespace fenestra::reference {
 namespace {

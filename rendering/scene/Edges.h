@@ -1,9 +1,9 @@
 #pragma once
 // Whether the edges in a picture are smooth; EdgeRays.h says how.
 
-#include "rendering/scene/Look.h"
-#include "rendering/scene/Method.h"
 #include "rendering/scene/View.h"
+#include "rendering/settings/Look.h"
+#include "rendering/settings/Method.h"
 
 namespace fenestra {
 

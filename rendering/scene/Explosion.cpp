@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "rendering/scene/Look.h"
+#include "rendering/settings/Look.h"
 
 namespace fenestra {
 namespace {

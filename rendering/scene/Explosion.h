@@ -30,9 +30,9 @@
 #include <optional>
 #include <vector>
 
-#include "rendering/scene/Camera.h"
-#include "rendering/scene/Clipping.h"
-#include "rendering/scene/Method.h"
+#include "rendering/settings/Camera.h"
+#include "rendering/settings/Clipping.h"
+#include "rendering/settings/Method.h"
 
 namespace fenestra {
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "rendering/scene/Look.h"
+#include "rendering/settings/Look.h"
 
 namespace fenestra {
 

@@ -3,9 +3,9 @@
 
 #include <optional>
 
-#include "rendering/scene/Camera.h"
-#include "rendering/scene/Method.h"
-#include "rendering/scene/Volume.h"
+#include "rendering/settings/Camera.h"
+#include "rendering/settings/Method.h"
+#include "rendering/volume/Volume.h"
 
 namespace fenestra {
 

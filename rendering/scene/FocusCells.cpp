@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "rendering/scene/Parallel.h"
+#include "rendering/volume/Threads.h"
 
 namespace fenestra {
 namespace {

@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "rendering/scene/Focus.h"
 #include "rendering/scene/ShownVolume.h"
+#include "rendering/settings/Focus.h"
 
 namespace fenestra {
 

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "rendering/scene/DistanceTransform.h"
+#include "rendering/volume/DistanceTransform.h"
 
 namespace fenestra {
 

@@ -5,8 +5,8 @@
 #include <mutex>
 
 #include "rendering/scene/FocusCells.h"
-#include "rendering/scene/Parallel.h"
 #include "rendering/scene/Scene.h"
+#include "rendering/volume/Threads.h"
 
 namespace fenestra {
 

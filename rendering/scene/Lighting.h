@@ -13,8 +13,8 @@
 #include <span>
 #include <string_view>
 
-#include "rendering/scene/Camera.h"
-#include "rendering/scene/Look.h"
+#include "rendering/settings/Camera.h"
+#include "rendering/settings/Look.h"
 
 namespace fenestra {
 

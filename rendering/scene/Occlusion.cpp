@@ -9,7 +9,7 @@
 #include "rendering/scene/FaintLabels.h"
 #include "rendering/scene/FocusCells.h"
 #include "rendering/scene/Importance.h"
-#include "rendering/scene/Parallel.h"
+#include "rendering/volume/Threads.h"
 
 namespace fenestra {
 

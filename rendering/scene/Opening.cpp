@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "rendering/scene/Parallel.h"
+#include "rendering/volume/Threads.h"
 
 namespace fenestra {
 

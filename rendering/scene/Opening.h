@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "rendering/scene/Camera.h"
-#include "rendering/scene/Slice.h"
+#include "rendering/settings/Camera.h"
+#include "rendering/volume/Slice.h"
 
 namespace fenestra {
 

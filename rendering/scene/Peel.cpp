@@ -6,6 +6,7 @@
 
 #include "rendering/scene/FocusVoxels.h"
 #include "rendering/scene/Scene.h"
+#include "rendering/scene/VisibleFraming.h"
 
 namespace fenestra {
 namespace {

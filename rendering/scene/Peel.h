@@ -31,8 +31,8 @@
 #include <cstdint>
 #include <optional>
 
-#include "rendering/scene/Grid.h"
-#include "rendering/scene/Method.h"
+#include "rendering/settings/Method.h"
+#include "rendering/volume/Grid.h"
 
 namespace fenestra {
 

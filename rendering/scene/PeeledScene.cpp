@@ -5,7 +5,7 @@
 #include <cmath>
 #include <utility>
 
-#include "rendering/scene/Parallel.h"
+#include "rendering/volume/Threads.h"
 
 namespace fenestra {
 namespace {

@@ -7,7 +7,7 @@
 #include <limits>
 #include <utility>
 
-#include "rendering/scene/Parallel.h"
+#include "rendering/volume/Threads.h"
 
 namespace fenestra {
 namespace {

@@ -16,8 +16,8 @@
 #include <memory>
 #include <vector>
 
-#include "rendering/scene/Grid.h"
-#include "rendering/scene/Removal.h"
+#include "rendering/settings/Removal.h"
+#include "rendering/volume/Grid.h"
 
 namespace fenestra {
 

@@ -3,10 +3,10 @@
 
 #include <memory>
 
-#include "rendering/scene/Camera.h"
-#include "rendering/scene/LabelMap.h"
-#include "rendering/scene/Look.h"
 #include "rendering/scene/ShownVolume.h"
+#include "rendering/settings/Camera.h"
+#include "rendering/settings/Look.h"
+#include "rendering/volume/LabelMap.h"
 
 namespace fenestra {
 

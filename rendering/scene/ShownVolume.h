@@ -8,11 +8,11 @@
 #include <type_traits>
 #include <vector>
 
-#include "rendering/scene/CoarseMask.h"
-#include "rendering/scene/LabelMap.h"
-#include "rendering/scene/Reconstruction.h"
 #include "rendering/scene/RemovedVoxels.h"
-#include "rendering/scene/Volume.h"
+#include "rendering/settings/Reconstruction.h"
+#include "rendering/volume/CoarseMask.h"
+#include "rendering/volume/LabelMap.h"
+#include "rendering/volume/Volume.h"
 
 namespace fenestra {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "rendering/scene/Parallel.h"
+#include "rendering/volume/Threads.h"
 
 namespace fenestra {
 namespace {

@@ -6,8 +6,8 @@
 #include <span>
 #include <vector>
 
-#include "rendering/scene/LabelMap.h"
-#include "rendering/scene/LabelSmoothing.h"
+#include "rendering/settings/LabelSmoothing.h"
+#include "rendering/volume/LabelMap.h"
 
 namespace fenestra {
 

@@ -18,8 +18,8 @@
 #include <utility>
 #include <vector>
 
-#include "rendering/scene/Parallel.h"
 #include "rendering/scene/ShownVolume.h"
+#include "rendering/volume/Threads.h"
 
 namespace fenestra {
 

@@ -5,7 +5,7 @@
 #include <limits>
 #include <vector>
 
-#include "rendering/scene/Parallel.h"
+#include "rendering/volume/Threads.h"
 
 namespace fenestra {
 namespace {

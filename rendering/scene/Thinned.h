@@ -3,8 +3,8 @@
 
 #include <memory>
 
-#include "rendering/scene/LabelMap.h"
 #include "rendering/scene/ShownVolume.h"
+#include "rendering/volume/LabelMap.h"
 
 namespace fenestra {
 

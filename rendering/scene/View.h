@@ -5,11 +5,11 @@
 
 #include <glm/glm.hpp>
 
-#include "rendering/scene/Camera.h"
-#include "rendering/scene/Cutaway.h"
-#include "rendering/scene/Method.h"
-#include "rendering/scene/Quality.h"
-#include "rendering/scene/Volume.h"
+#include "rendering/settings/Camera.h"
+#include "rendering/settings/Cutaway.h"
+#include "rendering/settings/Method.h"
+#include "rendering/settings/Quality.h"
+#include "rendering/volume/Volume.h"
 
 namespace fenestra {
 

@@ -7,8 +7,8 @@
 #include <type_traits>
 #include <vector>
 
-#include "rendering/scene/TransferFunction.h"
-#include "rendering/scene/Volume.h"
+#include "rendering/settings/TransferFunction.h"
+#include "rendering/volume/Volume.h"
 
 namespace fenestra {
 

@@ -6,8 +6,8 @@
 #include <limits>
 #include <map>
 
-#include "rendering/scene/Outline.h"
 #include "rendering/scene/Scene.h"
+#include "rendering/volume/Outline.h"
 
 namespace fenestra {
 namespace {

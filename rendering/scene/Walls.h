@@ -23,10 +23,10 @@
 #include <optional>
 #include <vector>
 
-#include "rendering/scene/Camera.h"
-#include "rendering/scene/Method.h"
-#include "rendering/scene/Slice.h"
 #include "rendering/scene/View.h"
+#include "rendering/settings/Camera.h"
+#include "rendering/settings/Method.h"
+#include "rendering/volume/Slice.h"
 
 namespace fenestra {
 

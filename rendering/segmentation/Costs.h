@@ -5,10 +5,10 @@
 #include <span>
 #include <vector>
 
-#include "rendering/scene/Volume.h"
 #include "rendering/segmentation/Levels.h"
 #include "rendering/segmentation/Smoothing.h"
 #include "rendering/segmentation/VoxelBox.h"
+#include "rendering/volume/Volume.h"
 
 namespace fenestra::segmentation {
 

@@ -7,7 +7,7 @@
 #include <mutex>
 #include <numbers>
 
-#include "rendering/scene/Parallel.h"
+#include "rendering/volume/Threads.h"
 
 namespace fenestra::segmentation {
 namespace {

@@ -4,9 +4,9 @@
 #include <span>
 #include <vector>
 
-#include "rendering/scene/Grid.h"
 #include "rendering/segmentation/Levels.h"
 #include "rendering/segmentation/VoxelBox.h"
+#include "rendering/volume/Grid.h"
 
 namespace fenestra::segmentation {
 

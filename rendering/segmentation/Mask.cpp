@@ -4,8 +4,8 @@
 #include <array>
 #include <mutex>
 
-#include "rendering/scene/Parallel.h"
 #include "rendering/segmentation/Morphology.h"
+#include "rendering/volume/Threads.h"
 
 namespace fenestra::segmentation {
 namespace {

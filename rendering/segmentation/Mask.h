@@ -5,9 +5,9 @@
 #include <memory>
 #include <vector>
 
-#include "rendering/scene/LabelMap.h"
 #include "rendering/segmentation/RegionGrowing.h"
 #include "rendering/segmentation/VoxelBox.h"
+#include "rendering/volume/LabelMap.h"
 
 namespace fenestra::segmentation {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "rendering/scene/Parallel.h"
+#include "rendering/volume/Threads.h"
 
 namespace fenestra::segmentation {
 namespace {

@@ -1,11 +1,12 @@
 #pragma once
-// Strokes of a ball brush that add voxels to a region or take them away (SelectionStroke in rendering/scene/Focus.h).
+// Strokes of a ball brush that add voxels to a region or take them away (SelectionStroke in
+// rendering/settings/Focus.h).
 
 #include <span>
 #include <vector>
 
-#include "rendering/scene/Focus.h"
 #include "rendering/segmentation/VoxelBox.h"
+#include "rendering/settings/Focus.h"
 
 namespace fenestra::segmentation {
 

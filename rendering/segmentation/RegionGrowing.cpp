@@ -6,12 +6,12 @@
 #include <cmath>
 #include <span>
 
-#include "rendering/scene/Parallel.h"
 #include "rendering/segmentation/Costs.h"
 #include "rendering/segmentation/Flood.h"
 #include "rendering/segmentation/Morphology.h"
 #include "rendering/segmentation/Painting.h"
 #include "rendering/segmentation/Smoothing.h"
+#include "rendering/volume/Threads.h"
 
 namespace fenestra::segmentation {
 namespace {

@@ -6,8 +6,8 @@
 #include <limits>
 #include <vector>
 
-#include "rendering/scene/Volume.h"
 #include "rendering/segmentation/VoxelBox.h"
+#include "rendering/volume/Volume.h"
 
 namespace fenestra::segmentation {
 

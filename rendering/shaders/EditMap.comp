@@ -1,5 +1,5 @@
 // The brush: how far strokes move each ray's start, and how much of the context layer and the border they leave (what a
-// stroke does is defined in rendering/scene/BrushStroke.h). Output: offset in mm along the ray; factor of the context
+// stroke does is defined in rendering/settings/BrushStroke.h). Output: offset in mm along the ray; factor of the context
 // layer's opacity where the ray meets the focus, of the border's elsewhere.
 #include <schedule>
 #include <starts>

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "rendering/scene/Parallel.h"
 #include "rendering/viewpoints/Placement.h"
 #include "rendering/viewpoints/Sphere.h"
+#include "rendering/volume/Threads.h"
 
 namespace fenestra::placement {
 namespace {

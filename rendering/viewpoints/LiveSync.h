@@ -42,8 +42,8 @@
 
 #include <glm/glm.hpp>
 
-#include "rendering/scene/PlacementOptions.h"
 #include "rendering/scene/Scene.h"
+#include "rendering/settings/PlacementOptions.h"
 
 namespace fenestra::placement {
 

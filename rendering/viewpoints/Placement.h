@@ -9,8 +9,8 @@
 
 #include <glm/glm.hpp>
 
-#include "rendering/scene/Camera.h"
-#include "rendering/scene/PlacementOptions.h"
+#include "rendering/settings/Camera.h"
+#include "rendering/settings/PlacementOptions.h"
 
 namespace fenestra::placement {
 

@@ -5,7 +5,7 @@
 #include <limits>
 #include <numbers>
 
-#include "rendering/scene/Parallel.h"
+#include "rendering/volume/Threads.h"
 
 namespace fenestra::placement {
 namespace {

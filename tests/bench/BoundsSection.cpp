@@ -2,7 +2,7 @@
 
 #include <iostream>
 
-#include "app/benchmark/Text.h"
+#include "app/benchmark/Numbers.h"
 #include "rendering/gpu/GpuScene.h"
 
 namespace fenestra::bench {

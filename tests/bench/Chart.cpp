@@ -6,7 +6,7 @@
 #include <limits>
 #include <sstream>
 
-#include "app/benchmark/Text.h"
+#include "app/benchmark/Numbers.h"
 
 namespace fenestra::bench {
 namespace {

@@ -9,7 +9,7 @@
 #include "rendering/reference/FadingIntegral.h"
 #include "rendering/reference/FocalRegion.h"
 #include "rendering/reference/Ghosting.h"
-#include "rendering/scene/Parallel.h"
+#include "rendering/volume/Threads.h"
 
 namespace fenestra::bench {
 namespace {

@@ -5,7 +5,7 @@
 #include <iostream>
 #include <optional>
 
-#include "app/benchmark/Text.h"
+#include "app/benchmark/Numbers.h"
 #include "rendering/gpu/GpuScene.h"
 #include "tests/support/FeatureScenes.h"
 

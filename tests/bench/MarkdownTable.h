@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "app/benchmark/Text.h"
+#include "app/benchmark/Numbers.h"
 
 namespace fenestra::bench {
 

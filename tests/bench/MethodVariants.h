@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "rendering/scene/Settings.h"
+#include "rendering/settings/Settings.h"
 
 namespace fenestra::bench {
 

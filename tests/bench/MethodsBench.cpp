@@ -14,13 +14,13 @@
 #include <CLI/CLI.hpp>
 
 #include "app/benchmark/Machine.h"
-#include "app/benchmark/Text.h"
+#include "app/benchmark/Numbers.h"
 #include "app/benchmark/Timed.h"
 #include "rendering/Renderer.h"
 #include "rendering/egl/EglContext.h"
 #include "rendering/gpu/GpuScene.h"
 #include "rendering/reference/Certificate.h"
-#include "rendering/scene/Framing.h"
+#include "rendering/scene/VisibleFraming.h"
 #include "tests/bench/ContextMeasures.h"
 #include "tests/bench/MethodVariants.h"
 #include "tests/bench/MethodsPage.h"

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <functional>
 
-#include "app/benchmark/Text.h"
+#include "app/benchmark/Numbers.h"
 
 namespace fenestra::bench {
 namespace {

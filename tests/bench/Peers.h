@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "tests/bench/Measure.h"
+#include "tests/bench/Prepare.h"
 
 namespace fenestra::bench {
 

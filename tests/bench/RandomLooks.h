@@ -3,9 +3,9 @@
 
 #include <random>
 
-#include "rendering/scene/Camera.h"
-#include "rendering/scene/TransferFunction.h"
-#include "rendering/scene/Volume.h"
+#include "rendering/settings/Camera.h"
+#include "rendering/settings/TransferFunction.h"
+#include "rendering/volume/Volume.h"
 
 namespace fenestra::bench {
 

@@ -2,7 +2,7 @@
 
 #include <iostream>
 
-#include "app/benchmark/Text.h"
+#include "app/benchmark/Numbers.h"
 #include "rendering/gpu/GpuScene.h"
 #include "rendering/reference/Picture.h"
 #include "tests/bench/RandomLooks.h"

@@ -2,7 +2,7 @@
 // The report's sections. Each measures, says on standard error how far it is, and returns what it found.
 
 #include "rendering/egl/EglContext.h"
-#include "tests/bench/Measure.h"
+#include "tests/bench/Prepare.h"
 #include "tests/bench/Report.h"
 
 namespace fenestra::bench {

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <iostream>
 
-#include "app/benchmark/Text.h"
+#include "app/benchmark/Numbers.h"
 #include "rendering/gpu/GpuScene.h"
 
 namespace fenestra::bench {

@@ -4,7 +4,7 @@
 #include <limits>
 #include <map>
 
-#include "app/benchmark/Text.h"
+#include "app/benchmark/Numbers.h"
 #include "rendering/gpu/GpuScene.h"
 #include "tests/bench/Peers.h"
 

@@ -7,7 +7,7 @@
 
 #include "io/base/AtomicFile.h"
 #include "io/base/Error.h"
-#include "rendering/scene/Settings.h"
+#include "rendering/settings/Settings.h"
 
 namespace fenestra::bench {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <functional>
 
-#include "rendering/scene/Settings.h"
+#include "rendering/settings/Settings.h"
 #include "tests/cli/CommandLine.h"
 
 namespace fenestra::tests {

@@ -1,4 +1,4 @@
-#include "rendering/scene/Slice.h"
+#include "rendering/volume/Slice.h"
 
 #include <cmath>
 #include <limits>

@@ -7,6 +7,7 @@
 #include "rendering/gl/Texture.h"
 #include "rendering/gpu/FittedScene.h"
 #include "rendering/scene/Thinned.h"
+#include "rendering/scene/VisibleFraming.h"
 #include "tests/gl/GlTest.h"
 
 namespace fenestra::tests {

@@ -5,7 +5,7 @@
 #include <span>
 
 #include "rendering/reference/Picture.h"
-#include "rendering/scene/Settings.h"
+#include "rendering/settings/Settings.h"
 #include "tests/gl/GlTest.h"
 
 namespace fenestra::tests {

@@ -6,7 +6,7 @@
 #include "rendering/reference/Picture.h"
 #include "rendering/scene/Edges.h"
 #include "rendering/scene/Lighting.h"
-#include "rendering/scene/Settings.h"
+#include "rendering/settings/Settings.h"
 #include "tests/gl/GlTest.h"
 #include "tests/gl/SceneKinds.h"
 

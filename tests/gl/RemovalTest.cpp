@@ -2,7 +2,7 @@
 // them, and back to the bit.
 
 #include "rendering/reference/Picture.h"
-#include "rendering/scene/SettingWords.h"
+#include "rendering/settings/SettingWords.h"
 #include "tests/gl/GlTest.h"
 #include "tests/gl/SceneKinds.h"
 

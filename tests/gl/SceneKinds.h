@@ -8,7 +8,7 @@
 #include "rendering/Renderer.h"
 #include "rendering/gl/Context.h"
 #include "rendering/scene/FaintLabels.h"
-#include "rendering/scene/SettingWords.h"
+#include "rendering/settings/SettingWords.h"
 #include "tests/support/Scenes.h"
 
 namespace fenestra::tests {

@@ -15,7 +15,7 @@
 #include "io/PhantomFile.h"
 #include "rendering/Renderer.h"
 #include "rendering/gpu/GpuScene.h"
-#include "rendering/scene/Slice.h"
+#include "rendering/volume/Slice.h"
 #include "tests/gui/WindowFixture.h"
 #include "tests/io/DicomWriter.h"
 #include "tests/support/TestData.h"

@@ -4,7 +4,7 @@
 #include <QSpinBox>
 #include <QTest>
 
-#include "rendering/scene/Settings.h"
+#include "rendering/settings/Settings.h"
 #include "tests/gui/PseudoLocale.h"
 #include "tests/gui/WindowFixture.h"
 #include "viewer/panels/CarvingRows.h"

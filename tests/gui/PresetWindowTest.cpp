@@ -8,7 +8,7 @@
 #include <QTest>
 
 #include "io/TransferFunctionFile.h"
-#include "rendering/scene/LookStyle.h"
+#include "rendering/settings/LookStyle.h"
 #include "tests/gui/WindowFixture.h"
 #include "tests/io/IoTesting.h"
 #include "tests/support/TestData.h"

@@ -16,7 +16,7 @@
 
 #include "io/ImageWriter.h"
 #include "io/session/LookFile.h"
-#include "rendering/scene/LookStyle.h"
+#include "rendering/settings/LookStyle.h"
 #include "tests/gui/WindowFixture.h"
 #include "tests/io/DicomWriter.h"
 #include "tests/io/IoTesting.h"

@@ -13,7 +13,7 @@
 
 #include "rendering/Renderer.h"
 #include "rendering/gpu/GpuScene.h"
-#include "rendering/scene/Settings.h"
+#include "rendering/settings/Settings.h"
 #include "tests/gui/WindowFixture.h"
 #include "viewer/panels/AppearancePanel.h"
 #include "viewer/panels/ContextLayerPanel.h"

@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "io/VolumeReader.h"
-#include "rendering/scene/Slice.h"
+#include "rendering/volume/Slice.h"
 #include "tests/io/AnalyzeBytes.h"
 #include "tests/io/IoTesting.h"
 #include "tests/support/TestData.h"

@@ -13,7 +13,7 @@
 #include <nlohmann/json.hpp>
 
 #include "io/study/ReadStudy.h"
-#include "rendering/scene/TransferFunction.h"
+#include "rendering/settings/TransferFunction.h"
 #include "tests/peers/PeerRuns.h"
 
 namespace fenestra::peers {

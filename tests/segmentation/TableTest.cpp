@@ -10,7 +10,7 @@
 
 #include "io/LabelReader.h"
 #include "io/VolumeReader.h"
-#include "rendering/segmentation/Table.h"
+#include "rendering/segmentation/Couch.h"
 #include "tests/support/Scenes.h"
 #include "tests/support/TestData.h"
 

@@ -6,7 +6,7 @@
 
 #include "io/TransferFunctionFile.h"
 #include "io/session/LookFile.h"
-#include "rendering/scene/LookStyle.h"
+#include "rendering/settings/LookStyle.h"
 #include "tests/io/IoTesting.h"
 #include "tests/session/SchemaTesting.h"
 #include "tests/session/SessionTesting.h"

@@ -1,4 +1,4 @@
-#include "rendering/scene/Camera.h"
+#include "rendering/settings/Camera.h"
 
 #include <gtest/gtest.h>
 

@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "rendering/scene/Clipping.h"
-#include "rendering/scene/LookStyle.h"
+#include "rendering/settings/Clipping.h"
+#include "rendering/settings/LookStyle.h"
 #include "tests/support/Scenes.h"
 
 namespace fenestra::tests {

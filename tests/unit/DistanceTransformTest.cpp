@@ -1,6 +1,6 @@
 // Distances to a set of lattice points against a search through all of them.
 
-#include "rendering/scene/DistanceTransform.h"
+#include "rendering/volume/DistanceTransform.h"
 
 #include <cmath>
 #include <limits>

@@ -6,8 +6,9 @@
 
 #include <glm/gtc/matrix_transform.hpp>
 
-#include "rendering/scene/Camera.h"
 #include "rendering/scene/Scene.h"
+#include "rendering/scene/VisibleFraming.h"
+#include "rendering/settings/Camera.h"
 
 namespace fenestra {
 namespace {

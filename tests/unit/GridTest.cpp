@@ -1,4 +1,4 @@
-#include "rendering/scene/Grid.h"
+#include "rendering/volume/Grid.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // The stages with which the methods replace the adaptive cutaway's, and the pattern of the screen door.
 
-#include "rendering/scene/Method.h"
+#include "rendering/settings/Method.h"
 
 #include <cmath>
 
@@ -10,7 +10,7 @@
 #include "rendering/scene/Fading.h"
 #include "rendering/scene/Peel.h"
 #include "rendering/scene/Scene.h"
-#include "rendering/scene/Settings.h"
+#include "rendering/settings/Settings.h"
 
 namespace fenestra::tests {
 namespace {

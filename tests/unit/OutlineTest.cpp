@@ -7,7 +7,7 @@
 
 #include <glm/gtc/constants.hpp>
 
-#include "rendering/scene/Outline.h"
+#include "rendering/volume/Outline.h"
 
 namespace fenestra {
 namespace {

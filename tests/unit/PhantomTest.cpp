@@ -1,4 +1,4 @@
-#include "rendering/scene/Phantom.h"
+#include "rendering/volume/Phantom.h"
 
 #include <cmath>
 

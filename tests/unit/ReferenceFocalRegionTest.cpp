@@ -13,7 +13,7 @@
 
 #include "rendering/reference/Picture.h"
 #include "rendering/scene/Fading.h"
-#include "rendering/scene/SettingWords.h"
+#include "rendering/settings/SettingWords.h"
 #include "tests/support/Scenes.h"
 #include "tests/unit/FadingContexts.h"
 

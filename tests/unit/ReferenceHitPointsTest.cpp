@@ -4,7 +4,7 @@
 
 #include "rendering/reference/Reference.h"
 #include "rendering/scene/FocusCells.h"
-#include "rendering/scene/Phantom.h"
+#include "rendering/volume/Phantom.h"
 #include "tests/support/Scenes.h"
 
 namespace fenestra::reference {

@@ -5,7 +5,7 @@
 #include "rendering/reference/Picture.h"
 #include "rendering/reference/Removals.h"
 #include "rendering/scene/FocusCells.h"
-#include "rendering/scene/SettingWords.h"
+#include "rendering/settings/SettingWords.h"
 #include "tests/support/Scenes.h"
 
 namespace fenestra {

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "rendering/scene/Settings.h"
+#include "rendering/settings/Settings.h"
 
 namespace fenestra::tests {
 namespace {
@@ -38,7 +38,7 @@ struct Three {
 };
 static_assert(memberCount<Three>() == 3);
 
-// A new member must be declared in rendering/scene/Settings.h, or be one of those that are no settings.
+// A new member must be declared in rendering/settings/Settings.h, or be one of those that are no settings.
 static_assert(declared<Method> == memberCount<Method>());
 static_assert(declared<Cutaway> == memberCount<Cutaway>());
 static_assert(declared<ContextLayer> == memberCount<ContextLayer>());

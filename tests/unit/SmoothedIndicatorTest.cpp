@@ -10,7 +10,7 @@
 
 #include <gtest/gtest.h>
 
-#include "rendering/scene/Parallel.h"
+#include "rendering/volume/Threads.h"
 #include "tests/unit/SampledIndicator.h"
 
 namespace fenestra::tests {

@@ -1,4 +1,4 @@
-#include "rendering/scene/TransferFunction.h"
+#include "rendering/settings/TransferFunction.h"
 
 #include <algorithm>
 #include <cmath>

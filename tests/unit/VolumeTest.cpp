@@ -1,5 +1,5 @@
 #include "rendering/scene/Thinned.h"
-#include "rendering/scene/Volume.h"
+#include "rendering/volume/Volume.h"
 
 #include <cmath>
 

@@ -5,7 +5,7 @@
 
 #include <QObject>
 
-#include "rendering/scene/Camera.h"
+#include "rendering/settings/Camera.h"
 
 class QString;
 

@@ -12,7 +12,7 @@
 
 #include "io/study/PictureProof.h"
 #include "io/study/SessionData.h"
-#include "rendering/scene/Parallel.h"
+#include "rendering/volume/Threads.h"
 #include "viewer/bars/NoticeBar.h"
 #include "viewer/exports/PictureFile.h"
 #include "viewer/model/Document.h"

@@ -11,7 +11,7 @@
 #include "io/base/SessionName.h"
 #include "io/study/Interpret.h"
 #include "io/study/ReadStudy.h"
-#include "rendering/scene/LookStyle.h"
+#include "rendering/settings/LookStyle.h"
 #include "viewer/bars/NoticeBar.h"
 #include "viewer/dialogs/SeriesChooser.h"
 #include "viewer/files/Sessions.h"

@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "rendering/scene/Focus.h"
+#include "rendering/settings/Focus.h"
 #include "viewer/jobs/LoadJob.h"
 
 namespace fenestra::viewer {

@@ -3,7 +3,7 @@
 
 #include <QString>
 
-#include "rendering/scene/Settings.h"
+#include "rendering/settings/Settings.h"
 #include "viewer/model/StrokeMode.h"
 
 namespace fenestra::viewer {

@@ -6,8 +6,8 @@
 
 #include <QString>
 
-#include "rendering/scene/BrushStroke.h"
 #include "rendering/scene/Scene.h"
+#include "rendering/settings/BrushStroke.h"
 #include "viewer/model/Brush.h"
 
 namespace fenestra::viewer {

@@ -3,9 +3,9 @@
 
 #include <QObject>
 
-#include "rendering/scene/Camera.h"
-#include "rendering/scene/Removal.h"
-#include "rendering/scene/Settings.h"
+#include "rendering/settings/Camera.h"
+#include "rendering/settings/Removal.h"
+#include "rendering/settings/Settings.h"
 #include "viewer/model/StrokeMode.h"
 
 namespace fenestra::viewer {

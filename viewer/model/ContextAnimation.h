@@ -5,7 +5,7 @@
 #include <QObject>
 #include <QVariantAnimation>
 
-#include "rendering/scene/Look.h"
+#include "rendering/settings/Look.h"
 
 namespace fenestra::viewer {
 

@@ -12,8 +12,8 @@
 #include <QString>
 
 #include "io/study/Study.h"
-#include "rendering/scene/Measure.h"
 #include "rendering/segmentation/LabelEdit.h"
+#include "rendering/volume/SliceMeasure.h"
 #include "viewer/model/History.h"
 
 namespace fenestra::viewer {

@@ -7,7 +7,7 @@
 
 #include <QString>
 
-#include "rendering/scene/Quality.h"
+#include "rendering/settings/Quality.h"
 
 namespace fenestra::viewer {
 

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "rendering/scene/TransferFunction.h"
+#include "rendering/settings/TransferFunction.h"
 
 namespace fenestra::viewer {
 

@@ -8,7 +8,7 @@
 
 #include <QString>
 
-#include "rendering/scene/Look.h"
+#include "rendering/settings/Look.h"
 #include "viewer/model/FunctionEdit.h"
 
 namespace fenestra::viewer {

@@ -6,8 +6,8 @@
 #include <type_traits>
 #include <variant>
 
-#include "rendering/scene/Look.h"
-#include "rendering/scene/Measure.h"
+#include "rendering/settings/Look.h"
+#include "rendering/volume/SliceMeasure.h"
 
 namespace fenestra::viewer {
 namespace {

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "rendering/scene/Focus.h"
+#include "rendering/settings/Focus.h"
 
 namespace fenestra {
 struct Look;

@@ -4,7 +4,7 @@
 #include <QCoreApplication>
 #include <QString>
 
-#include "rendering/scene/LabelMap.h"
+#include "rendering/volume/LabelMap.h"
 
 namespace fenestra::viewer {
 

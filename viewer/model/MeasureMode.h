@@ -6,7 +6,7 @@
 
 #include <QObject>
 
-#include "rendering/scene/Measure.h"
+#include "rendering/volume/SliceMeasure.h"
 
 namespace fenestra::viewer {
 

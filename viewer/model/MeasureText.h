@@ -4,7 +4,7 @@
 #include <QString>
 #include <QStringList>
 
-#include "rendering/scene/Measure.h"
+#include "rendering/volume/SliceMeasure.h"
 
 namespace fenestra::viewer {
 

@@ -5,6 +5,7 @@
 
 #include <QtConcurrentRun>
 
+#include "rendering/scene/VisibleFraming.h"
 #include "rendering/segmentation/PickedStructure.h"
 #include "rendering/viewpoints/LiveSync.h"
 #include "rendering/viewpoints/Sphere.h"

@@ -5,7 +5,7 @@
 
 #include <QtGlobal>
 
-#include "rendering/scene/PlacementOptions.h"
+#include "rendering/settings/PlacementOptions.h"
 
 namespace fenestra::viewer {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-#include "rendering/scene/Settings.h"
+#include "rendering/settings/Settings.h"
 #include "rendering/viewpoints/Sphere.h"
 #include "viewer/model/Paths.h"
 #include "viewer/model/PlacementWeights.h"

@@ -15,7 +15,7 @@
 #include <QStringList>
 #include <QVariant>
 
-#include "rendering/scene/Look.h"
+#include "rendering/settings/Look.h"
 #include "viewer/model/FramePacer.h"
 #include "viewer/model/PlacementController.h"
 

@@ -3,7 +3,7 @@
 
 #include <QObject>
 
-#include "rendering/scene/Slice.h"
+#include "rendering/volume/Slice.h"
 
 namespace fenestra::viewer {
 

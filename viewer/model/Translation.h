@@ -1,6 +1,6 @@
 #pragma once
 // The texts of libraries that do not know Qt, translated: the names, descriptions and units of
-// rendering/scene/Settings.h, and what jobs say about their progress.
+// rendering/settings/Settings.h, and what jobs say about their progress.
 
 #include <string>
 #include <string_view>

@@ -6,7 +6,7 @@
 #include <numeric>
 #include <type_traits>
 
-#include "rendering/scene/Parallel.h"
+#include "rendering/volume/Threads.h"
 
 namespace fenestra::viewer {
 namespace {

@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "rendering/scene/LabelMap.h"
-#include "rendering/scene/Volume.h"
+#include "rendering/volume/LabelMap.h"
+#include "rendering/volume/Volume.h"
 
 namespace fenestra::viewer {
 

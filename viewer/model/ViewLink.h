@@ -8,8 +8,8 @@
 #include <QObject>
 #include <QVariantAnimation>
 
-#include "rendering/scene/Camera.h"
 #include "rendering/scene/View.h"
+#include "rendering/settings/Camera.h"
 
 namespace fenestra::viewer {
 

@@ -3,7 +3,7 @@
 
 #include <array>
 
-#include "rendering/scene/Volume.h"
+#include "rendering/volume/Volume.h"
 
 namespace fenestra::viewer {
 

@@ -5,7 +5,7 @@
 #include <QToolButton>
 #include <QWidget>
 
-#include "rendering/scene/Method.h"
+#include "rendering/settings/Method.h"
 
 namespace fenestra::viewer {
 

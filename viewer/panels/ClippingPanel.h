@@ -12,8 +12,8 @@
 #include <QListWidget>
 #include <QToolButton>
 
-#include "rendering/scene/Clipping.h"
-#include "rendering/scene/Slice.h"
+#include "rendering/settings/Clipping.h"
+#include "rendering/volume/Slice.h"
 #include "viewer/panels/ScrollingPanel.h"
 
 class QMenu;

@@ -15,7 +15,7 @@
 #include <QSpinBox>
 #include <QStyledItemDelegate>
 
-#include "rendering/scene/Settings.h"
+#include "rendering/settings/Settings.h"
 #include "viewer/model/Document.h"
 #include "viewer/panels/LabelModel.h"
 #include "viewer/style/Overlay.h"

@@ -7,7 +7,7 @@
 #include <QIcon>
 #include <QtConcurrentRun>
 
-#include "rendering/scene/Settings.h"
+#include "rendering/settings/Settings.h"
 #include "viewer/model/Document.h"
 #include "viewer/model/LabelName.h"
 #include "viewer/model/PlacementController.h"

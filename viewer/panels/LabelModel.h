@@ -9,7 +9,7 @@
 #include <QAbstractItemModel>
 #include <QFutureWatcher>
 
-#include "rendering/scene/LabelMap.h"
+#include "rendering/volume/LabelMap.h"
 
 namespace fenestra::viewer {
 

@@ -1,6 +1,6 @@
 #pragma once
 // Controls for the settings of one part of a document's look, made from their declarations in
-// rendering/scene/Settings.h: range, step, unit and tool tip. A change is a step of the history, as is a whole drag.
+// rendering/settings/Settings.h: range, step, unit and tool tip. A change is a step of the history, as is a whole drag.
 
 #include <functional>
 #include <utility>
@@ -12,7 +12,7 @@
 #include <QFormLayout>
 #include <QSignalBlocker>
 
-#include "rendering/scene/Settings.h"
+#include "rendering/settings/Settings.h"
 #include "viewer/model/Document.h"
 #include "viewer/model/Translation.h"
 #include "viewer/panels/ColourButton.h"

@@ -13,7 +13,7 @@
 #include <QStyledItemDelegate>
 
 #include "io/TransferFunctionFile.h"
-#include "rendering/scene/LookStyle.h"
+#include "rendering/settings/LookStyle.h"
 #include "viewer/model/Document.h"
 #include "viewer/model/Paths.h"
 #include "viewer/model/PreviewBackend.h"

@@ -5,7 +5,7 @@
 #include <QSlider>
 #include <QWidget>
 
-#include "rendering/scene/Settings.h"
+#include "rendering/settings/Settings.h"
 #include "viewer/model/Translation.h"
 
 namespace fenestra::viewer {

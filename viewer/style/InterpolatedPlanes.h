@@ -6,8 +6,8 @@
 #include <QPainter>
 #include <QRectF>
 
-#include "rendering/scene/Grid.h"
-#include "rendering/scene/Slice.h"
+#include "rendering/volume/Grid.h"
+#include "rendering/volume/Slice.h"
 
 namespace fenestra::viewer {
 

@@ -5,7 +5,7 @@
 #include <QPolygonF>
 #include <QStringList>
 
-#include "rendering/scene/Measure.h"
+#include "rendering/volume/SliceMeasure.h"
 
 namespace fenestra::viewer {
 

@@ -7,8 +7,8 @@
 #include <QString>
 #include <QStringList>
 
-#include "rendering/scene/Camera.h"
-#include "rendering/scene/Slice.h"
+#include "rendering/settings/Camera.h"
+#include "rendering/volume/Slice.h"
 
 namespace fenestra::viewer {
 

@@ -10,7 +10,7 @@
 #include <optional>
 #include <vector>
 
-#include "rendering/scene/BrushStroke.h"
+#include "rendering/settings/BrushStroke.h"
 #include "viewer/model/BrushObstacle.h"
 #include "viewer/tools/Tool.h"
 

@@ -8,9 +8,9 @@
 
 #include <QPointF>
 
-#include "rendering/scene/BrushStroke.h"
-#include "rendering/scene/Camera.h"
-#include "rendering/scene/Slice.h"
+#include "rendering/settings/BrushStroke.h"
+#include "rendering/settings/Camera.h"
+#include "rendering/volume/Slice.h"
 
 namespace fenestra::viewer {
 

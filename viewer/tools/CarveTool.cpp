@@ -4,7 +4,7 @@
 
 #include <QMouseEvent>
 
-#include "rendering/scene/SettingWords.h"
+#include "rendering/settings/SettingWords.h"
 #include "viewer/model/Carving.h"
 #include "viewer/model/Document.h"
 #include "viewer/model/Translation.h"

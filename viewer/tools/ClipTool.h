@@ -12,7 +12,7 @@
 
 #include <QPointF>
 
-#include "rendering/scene/Clipping.h"
+#include "rendering/settings/Clipping.h"
 #include "viewer/tools/Tool.h"
 
 namespace fenestra::viewer {

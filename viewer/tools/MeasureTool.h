@@ -10,7 +10,7 @@
 
 #include <QPointF>
 
-#include "rendering/scene/Measure.h"
+#include "rendering/volume/SliceMeasure.h"
 #include "viewer/style/MeasureDrawing.h"
 #include "viewer/tools/Tool.h"
 

@@ -6,7 +6,7 @@
 
 #include <optional>
 
-#include "rendering/scene/Focus.h"
+#include "rendering/settings/Focus.h"
 #include "viewer/tools/Tool.h"
 
 namespace fenestra::viewer {

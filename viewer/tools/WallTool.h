@@ -9,7 +9,7 @@
 
 #include <QPointF>
 
-#include "rendering/scene/Slice.h"
+#include "rendering/volume/Slice.h"
 #include "viewer/tools/Tool.h"
 
 namespace fenestra::viewer {

@@ -8,8 +8,8 @@
 #include <QPointer>
 
 #include "rendering/Renderer.h"
-#include "rendering/scene/Framing.h"
 #include "rendering/scene/Thinned.h"
+#include "rendering/scene/VisibleFraming.h"
 #include "viewer/style/Overlay.h"
 #include "viewer/views/ScenePreparation.h"
 #include "viewer/views/VolumeView.h"

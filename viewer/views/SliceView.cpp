@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "rendering/scene/Outline.h"
+#include "rendering/volume/Outline.h"
 #include "viewer/model/OpeningEdge.h"
 #include "viewer/model/Workspace.h"
 #include "viewer/style/FocusRing.h"

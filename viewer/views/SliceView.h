@@ -15,9 +15,9 @@
 #include <QTransform>
 #include <QWidget>
 
-#include "rendering/scene/Focus.h"
-#include "rendering/scene/LabelMap.h"
-#include "rendering/scene/Slice.h"
+#include "rendering/settings/Focus.h"
+#include "rendering/volume/LabelMap.h"
+#include "rendering/volume/Slice.h"
 #include "viewer/tools/CarveTool.h"
 #include "viewer/tools/ClipTool.h"
 #include "viewer/tools/MeasureTool.h"

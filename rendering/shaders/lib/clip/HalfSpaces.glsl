@@ -1,4 +1,4 @@
-// What clips the volume (rendering/scene/Clipping.h): half-spaces, of which every ray keeps one stretch. A part of Faces.glsl
+// What clips the volume (rendering/settings/Clipping.h): half-spaces, of which every ray keeps one stretch. A part of Faces.glsl
 // and GreyFaces.glsl.
 #include <schedule>
 #include "lib/Ray.glsl"

@@ -1,0 +1,293 @@
+#include "rendering/segmentation/Couch.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <new>
+#include <span>
+#include <utility>
+
+#include "rendering/volume/DistanceTransform.h"
+#include "rendering/volume/Threads.h"
+
+namespace fenestra::segmentation {
+namespace {
+
+constexpr double cellSide = 2.0;  // mm
+constexpr std::size_t mostCells = std::size_t{1} << 24;
+constexpr double solidValue = -200.0, matterValue = -500.0;  // HU: below fat; half way from air to water
+constexpr double airyValue = -920.0;                         // HU: half way from air to the lung
+constexpr double openingRadius = 6.0, regrowth = 4.0;        // mm
+constexpr double leastPart = 1000.0;                         // mm³ of a part's core
+constexpr double leastMean = -150.0, greatestMean = 700.0;   // HU of a part
+constexpr double slabThickness = 30.0, slabLength = 200.0;   // mm
+constexpr double appendageReach = 40.0;                      // mm
+constexpr int shellCells = 2;
+
+/// The volume's cells.
+struct Cells {
+  glm::ivec3 stride{1}, dims{0};
+  glm::dvec3 spacing{1.0};                   ///< mm
+  std::vector<std::int16_t> mean, greatest;  ///< HU
+
+  std::size_t count() const { return mean.size(); }
+  glm::ivec3 at(std::size_t i) const {
+    const auto x = static_cast<std::size_t>(dims.x), y = static_cast<std::size_t>(dims.y);
+    return {static_cast<int>(i % x), static_cast<int>(i / x % y), static_cast<int>(i / (x * y))};
+  }
+  std::size_t offset(glm::ivec3 c) const {
+    return static_cast<std::size_t>(c.x) +
+           static_cast<std::size_t>(dims.x) *
+               (static_cast<std::size_t>(c.y) + static_cast<std::size_t>(dims.y) * static_cast<std::size_t>(c.z));
+  }
+  bool contains(glm::ivec3 c) const {
+    return glm::all(glm::greaterThanEqual(c, glm::ivec3(0))) && glm::all(glm::lessThan(c, dims));
+  }
+  double cellVolume() const { return spacing.x * spacing.y * spacing.z; }
+};
+
+using Flags = std::vector<std::uint8_t>;
+
+Cells layOut(const Grid& grid) {
+  Cells cells;
+  for (int axis = 0; axis < 3; ++axis)
+    cells.stride[axis] = std::max(1, static_cast<int>(std::lround(cellSide / grid.spacing[axis])));
+  const auto dims = [&] { return (grid.dims + cells.stride - 1) / cells.stride; };
+  const auto count = [&] {
+    const glm::ivec3 d = dims();
+    return static_cast<std::size_t>(d.x) * static_cast<std::size_t>(d.y) * static_cast<std::size_t>(d.z);
+  };
+  while (count() > mostCells) {
+    int finest = 0;
+    for (int axis = 1; axis < 3; ++axis)
+      if (grid.spacing[axis] * cells.stride[axis] < grid.spacing[finest] * cells.stride[finest]) finest = axis;
+    ++cells.stride[finest];
+  }
+  cells.dims = dims();
+  cells.spacing = grid.spacing * glm::dvec3(cells.stride);
+  cells.mean.resize(count());
+  cells.greatest.resize(count());
+  return cells;
+}
+
+/// Means and greatest values; what is no number counts as air.
+Cells cellsOf(const Volume& volume) {
+  const Grid& grid = volume.grid;
+  Cells cells = layOut(grid);
+  const auto across = static_cast<std::size_t>(grid.dims.x);
+  volume.voxels.visit([&](auto scalars) {
+    parallelFor(static_cast<std::size_t>(cells.dims.z), 1, [&](std::size_t begin, std::size_t end) {
+      // A row of cells: its voxel rows are joined first, which vectorizes.
+      std::vector<double> sums(across), peaks(across);
+      for (int z = static_cast<int>(begin); z < static_cast<int>(end); ++z)
+        for (int y = 0; y < cells.dims.y; ++y) {
+          const glm::ivec3 low = glm::ivec3(0, y, z) * cells.stride, high = glm::min(low + cells.stride, grid.dims);
+          std::fill(sums.begin(), sums.end(), 0.0);
+          std::fill(peaks.begin(), peaks.end(), airValue);
+          for (int k = low.z; k < high.z; ++k)
+            for (int j = low.y; j < high.y; ++j) {
+              const auto* row = scalars.data() + grid.offset({0, j, k});
+              for (std::size_t i = 0; i < across; ++i) {
+                double value = volume.slope * static_cast<double>(row[i]) + volume.intercept;
+                value = std::isnan(value) ? airValue : std::clamp(value, -3000.0, 30000.0);
+                sums[i] += value;
+                peaks[i] = std::max(peaks[i], value);
+              }
+            }
+          const std::size_t first = cells.offset({0, y, z});
+          for (int x = 0; x < cells.dims.x; ++x) {
+            const int from = x * cells.stride.x, to = std::min(from + cells.stride.x, grid.dims.x);
+            double sum = 0.0, greatest = airValue;
+            for (auto i = static_cast<std::size_t>(from); i < static_cast<std::size_t>(to); ++i) {
+              sum += sums[i];
+              greatest = std::max(greatest, peaks[i]);
+            }
+            const double joined = static_cast<double>(to - from) * (high.y - low.y) * (high.z - low.z);
+            cells.mean[first + static_cast<std::size_t>(x)] = static_cast<std::int16_t>(sum / joined);
+            cells.greatest[first + static_cast<std::size_t>(x)] = static_cast<std::int16_t>(greatest);
+          }
+        }
+    });
+  });
+  return cells;
+}
+
+/// mm from each cell's centre to that of the nearest cell of the set (infinite without any).
+std::vector<float> distanceTo(const Cells& cells, const Flags& set) {
+  return distancesTo(set, {.dims = cells.dims, .spacing = cells.spacing}, {.points = cells.dims});
+}
+
+/// Calls take(cells of the part) for each 26-connected part of `set`, in memory order of their first cells. Clears
+/// `set`.
+template <class Take>
+void forEachPart(const Cells& cells, Flags& set, Take&& take) {
+  std::vector<std::uint32_t> part;
+  for (std::size_t first = 0; first < set.size(); ++first) {
+    if (!set[first]) continue;
+    part.assign(1, static_cast<std::uint32_t>(first));
+    set[first] = 0;
+    for (std::size_t next = 0; next < part.size(); ++next) {
+      const glm::ivec3 cell = cells.at(part[next]);
+      for (int n = 0; n < 27; ++n) {
+        const glm::ivec3 beside = cell + glm::ivec3(n % 3, n / 3 % 3, n / 9) - 1;
+        if (!cells.contains(beside)) continue;
+        const std::size_t at = cells.offset(beside);
+        if (!set[at]) continue;
+        set[at] = 0;
+        part.push_back(static_cast<std::uint32_t>(at));
+      }
+    }
+    take(std::as_const(part));
+  }
+}
+
+/// Whether an opened part belongs to the body; `depth`: mm to the nearest cell that is not solid.
+bool isOfBody(const Cells& cells, const std::vector<std::uint32_t>& part, const std::vector<float>& depth) {
+  if (static_cast<double>(part.size()) * cells.cellVolume() < leastPart) return false;
+  double sum = 0.0, deepest = 0.0;
+  glm::ivec3 low = cells.dims, high(0);
+  for (const std::uint32_t i : part) {
+    sum += cells.mean[i];
+    deepest = std::max(deepest, static_cast<double>(depth[i]));
+    low = glm::min(low, cells.at(i));
+    high = glm::max(high, cells.at(i));
+  }
+  const double mean = sum / static_cast<double>(part.size());
+  const bool isSlab =
+      2.0 * deepest <= slabThickness && glm::length(glm::dvec3(high - low + 1) * cells.spacing) > slabLength;
+  return mean >= leastMean && mean <= greatestMean && !isSlab;
+}
+
+/// What is matter and not farther from the opened body than it was opened by.
+Flags bodyOf(const Cells& cells) {
+  Flags outside(cells.count()), cores(cells.count());
+  for (std::size_t i = 0; i < outside.size(); ++i) outside[i] = cells.mean[i] <= solidValue;
+  std::vector<float> depth = distanceTo(cells, outside);
+  for (std::size_t i = 0; i < cores.size(); ++i) cores[i] = depth[i] > openingRadius;
+  Flags body(cells.count(), 0);
+  forEachPart(cells, cores, [&](const std::vector<std::uint32_t>& part) {
+    if (!isOfBody(cells, part, depth)) return;
+    for (const std::uint32_t i : part) body[i] = 1;
+  });
+  depth = distanceTo(cells, body);
+  for (std::size_t i = 0; i < body.size(); ++i)
+    body[i] = depth[i] <= openingRadius + regrowth && cells.greatest[i] > matterValue;
+  return body;
+}
+
+/// The cells that the air around the body reaches in their axial plane, the planes across `axis`: from the volume's
+/// faces through air and matter outside of the body. It does not pass tissue of the lung, which a scan may cut open.
+Flags exteriorOf(const Cells& cells, const Flags& body, int axis) {
+  const int u = (axis + 1) % 3, v = (axis + 2) % 3;
+  Flags exterior(body.size(), 0);
+  parallelFor(static_cast<std::size_t>(cells.dims[axis]), 1, [&](std::size_t begin, std::size_t end) {
+    std::vector<glm::ivec3> open;
+    for (int plane = static_cast<int>(begin); plane < static_cast<int>(end); ++plane) {
+      const auto enter = [&](int a, int b, bool isSeed) {
+        if (a < 0 || b < 0 || a >= cells.dims[u] || b >= cells.dims[v]) return;
+        glm::ivec3 cell;
+        cell[axis] = plane;
+        cell[u] = a;
+        cell[v] = b;
+        const std::size_t at = cells.offset(cell);
+        const bool isAir = cells.mean[at] <= airyValue;
+        if (body[at] || exterior[at] || !(isAir || (!isSeed && cells.greatest[at] > matterValue))) return;
+        exterior[at] = 1;
+        open.push_back(cell);
+      };
+      for (int a = 0; a < cells.dims[u]; ++a)
+        for (const int b : {0, cells.dims[v] - 1}) enter(a, b, true);
+      for (int b = 0; b < cells.dims[v]; ++b)
+        for (const int a : {0, cells.dims[u] - 1}) enter(a, b, true);
+      while (!open.empty()) {
+        const glm::ivec3 cell = open.back();
+        open.pop_back();
+        for (const int step : {-1, 1}) {
+          enter(cell[u] + step, cell[v], false);
+          enter(cell[u], cell[v] + step, false);
+        }
+      }
+    }
+  });
+  return exterior;
+}
+
+int axialAxis(const Grid& grid) {
+  int axis = 2;
+  for (int other = 0; other < 2; ++other)
+    if (std::abs(grid.direction[other].z) > std::abs(grid.direction[axis].z)) axis = other;
+  return axis;
+}
+
+/// The parts outside the body that are none of its appendages.
+Flags partsToHide(const Cells& cells, const Flags& body, const Flags& exterior) {
+  const std::vector<float> away = distanceTo(cells, body);
+  const double touching = 1.01 * glm::length(cells.spacing);  // a cell that shares a corner
+  Flags rest(body.size()), hidden(body.size(), 0);
+  for (std::size_t i = 0; i < rest.size(); ++i) rest[i] = !body[i] && cells.greatest[i] > matterValue;
+  forEachPart(cells, rest, [&](const std::vector<std::uint32_t>& part) {
+    float nearest = std::numeric_limits<float>::infinity(), farthest = 0.0f;
+    bool isOutside = false;
+    for (const std::uint32_t i : part) {
+      isOutside = isOutside || exterior[i];
+      nearest = std::min(nearest, away[i]);
+      farthest = std::max(farthest, away[i]);
+    }
+    if (!isOutside || (nearest <= touching && farthest <= appendageReach)) return;
+    // Cells beside the body hold its skin, so they stay.
+    for (const std::uint32_t i : part) hidden[i] = away[i] > touching;
+  });
+  return hidden;
+}
+
+/// Adds the cells beside hidden ones that are not kept.
+void addShell(const Cells& cells, const Flags& kept, Flags& hidden) {
+  std::vector<std::uint32_t> rim;
+  for (std::size_t i = 0; i < hidden.size(); ++i)
+    if (hidden[i]) rim.push_back(static_cast<std::uint32_t>(i));
+  for (int step = 0; step < shellCells; ++step) {
+    std::vector<std::uint32_t> added;
+    for (const std::uint32_t i : rim)
+      for (int n = 0; n < 27; ++n) {
+        const glm::ivec3 beside = cells.at(i) + glm::ivec3(n % 3, n / 3 % 3, n / 9) - 1;
+        if (!cells.contains(beside)) continue;
+        const std::size_t at = cells.offset(beside);
+        if (hidden[at] || kept[at]) continue;
+        hidden[at] = 1;
+        added.push_back(static_cast<std::uint32_t>(at));
+      }
+    rim = std::move(added);
+  }
+}
+
+}  // namespace
+
+CoarseMask findTable(const Volume& volume) {
+  CoarseMask mask;
+  if (!volume.isInHounsfieldUnits()) return mask;
+  const Cells cells = cellsOf(volume);
+  const Flags body = bodyOf(cells);
+  if (std::find(body.begin(), body.end(), 1) == body.end()) return mask;
+  const Flags exterior = exteriorOf(cells, body, axialAxis(volume.grid));
+  Flags hidden = partsToHide(cells, body, exterior);
+  // These stay: the body, and matter that is not hidden.
+  Flags kept(hidden.size());
+  for (std::size_t i = 0; i < kept.size(); ++i) kept[i] = body[i] || (cells.greatest[i] > matterValue && !hidden[i]);
+  addShell(cells, kept, hidden);
+  mask.stride = cells.stride;
+  mask.dims = cells.dims;
+  mask.count = static_cast<std::size_t>(std::count(hidden.begin(), hidden.end(), 1));
+  mask.cells.assign(hidden.begin(), hidden.end());
+  return mask;
+}
+
+std::shared_ptr<const CoarseMask> tableOf(const Volume& volume) {
+  try {
+    return std::make_shared<CoarseMask>(findTable(volume));
+  } catch (const std::bad_alloc&) {
+    return std::make_shared<CoarseMask>();
+  }
+}
+
+}  // namespace fenestra::segmentation

@@ -1,0 +1,202 @@
+#include "rendering/volume/DistanceTransform.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "rendering/volume/Threads.h"
+
+namespace fenestra {
+namespace {
+
+/// Squared distances along a line of points to the nearest of a set, from those of the axes before.
+class LowerEnvelope {
+ public:
+  LowerEnvelope(std::size_t length, double spacing) : square_(spacing * spacing), places_(length), bounds_(length) {}
+
+  /// to[i]: the squared distance at the point first + i · step, from those at the points 0, 1, 2, … .
+  void sample(std::span<const float> from, int first, int step, std::span<float> to) {
+    find(from);
+    if (last_ < 0) return std::fill(to.begin(), to.end(), std::numeric_limits<float>::infinity());
+    int parabola = 0;
+    for (std::size_t i = 0; i < to.size(); ++i) {
+      const int q = first + static_cast<int>(i) * step;
+      while (parabola < last_ && bounds_[static_cast<std::size_t>(parabola) + 1] < q) ++parabola;
+      const int p = places_[static_cast<std::size_t>(parabola)];
+      const double away = static_cast<double>(q) - p;
+      to[i] = static_cast<float>(square_ * away * away + from[static_cast<std::size_t>(p)]);
+    }
+  }
+
+ private:
+  /// The parabolas of the envelope, and where each begins.
+  void find(std::span<const float> from) {
+    last_ = -1;
+    for (int q = 0; q < static_cast<int>(from.size()); ++q) {
+      if (std::isinf(from[static_cast<std::size_t>(q)])) continue;
+      double start = -std::numeric_limits<double>::infinity();
+      for (; last_ >= 0; --last_) {
+        const int p = places_[static_cast<std::size_t>(last_)];
+        const double difference =
+            (static_cast<double>(from[static_cast<std::size_t>(q)]) - from[static_cast<std::size_t>(p)]) / square_;
+        start = (difference + static_cast<double>(q) * q - static_cast<double>(p) * p) / (2.0 * (q - p));
+        if (start > bounds_[static_cast<std::size_t>(last_)]) break;
+      }
+      if (last_ < 0) start = -std::numeric_limits<double>::infinity();
+      ++last_;
+      places_[static_cast<std::size_t>(last_)] = q;
+      bounds_[static_cast<std::size_t>(last_)] = start;
+    }
+  }
+
+  double square_;
+  int last_ = -1;
+  std::vector<int> places_;
+  std::vector<double> bounds_;
+};
+
+std::size_t product(int a, int b) { return static_cast<std::size_t>(a) * static_cast<std::size_t>(b); }
+
+/// Squares along y or z of `size` points, x fastest, at every line of the others.
+std::vector<float> sampledAlong(int axis, const std::vector<float>& squares, glm::ivec3 size, double spacing,
+                                const SampledLattice& at) {
+  glm::ivec3 result = size;
+  result[axis] = at.points[axis];
+  std::vector<float> sampled(product(result.x, result.y) * static_cast<std::size_t>(result.z));
+  const auto length = static_cast<std::size_t>(size[axis]), count = static_cast<std::size_t>(at.points[axis]);
+  const auto row = static_cast<std::size_t>(size.x);
+  const std::size_t step = axis == 1 ? row : product(size.x, size.y);
+  const std::size_t stepOut = axis == 1 ? row : product(result.x, result.y);
+  const int other = 3 - axis;
+  const std::size_t plane = axis == 1 ? product(size.x, size.y) : row;
+  const std::size_t planeOut = axis == 1 ? product(result.x, result.y) : row;
+  // Neighbouring lines are copied out together: they share the cache's lines.
+  constexpr std::size_t together = 16;
+  parallelFor(static_cast<std::size_t>(size[other]), 1, [&](std::size_t begin, std::size_t end) {
+    LowerEnvelope envelope(length, spacing);
+    std::vector<float> lines(length * together), found(count * together);
+    for (std::size_t each = begin; each < end; ++each)
+      for (std::size_t x = 0; x < row; x += together) {
+        const std::size_t width = std::min(together, row - x);
+        const float* from = squares.data() + each * plane + x;
+        float* to = sampled.data() + each * planeOut + x;
+        for (std::size_t q = 0; q < length; ++q)
+          for (std::size_t i = 0; i < width; ++i) lines[i * length + q] = from[q * step + i];
+        for (std::size_t i = 0; i < width; ++i)
+          envelope.sample(std::span(lines).subspan(i * length, length), at.first[axis], at.step[axis],
+                          std::span(found).subspan(i * count, count));
+        for (std::size_t q = 0; q < count; ++q)
+          for (std::size_t i = 0; i < width; ++i) to[q * stepOut + i] = found[i * count + q];
+      }
+  });
+  return sampled;
+}
+
+std::vector<float> byEnvelopes(std::span<const std::uint8_t> set, glm::ivec3 size, glm::dvec3 spacing,
+                               const SampledLattice& at) {
+  const auto length = static_cast<std::size_t>(size.x), count = static_cast<std::size_t>(at.points.x);
+  std::vector<float> squares(count * product(size.y, size.z));
+  parallelFor(product(size.y, size.z), 64, [&](std::size_t begin, std::size_t end) {
+    LowerEnvelope envelope(length, spacing.x);
+    std::vector<float> line(length);
+    for (std::size_t row = begin; row < end; ++row) {
+      for (std::size_t x = 0; x < length; ++x)
+        line[x] = set[row * length + x] ? 0.0f : std::numeric_limits<float>::infinity();
+      envelope.sample(line, at.first.x, at.step.x, std::span(squares).subspan(row * count, count));
+    }
+  });
+  size.x = at.points.x;
+  squares = sampledAlong(1, squares, size, spacing.y, at);
+  size.y = at.points.y;
+  squares = sampledAlong(2, squares, size, spacing.z, at);
+  parallelFor(squares.size(), 1 << 16, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) squares[i] = std::sqrt(squares[i]);
+  });
+  return squares;
+}
+
+/// A balanced k-d tree: the median along one axis in the middle, what lies on either side of it before and behind.
+class PointTree {
+ public:
+  explicit PointTree(std::vector<glm::dvec3> points) : points_(std::move(points)) { sort(0, points_.size(), 0); }
+
+  /// The square of the distance to the nearest point, or `least` where none is nearer than that.
+  double squareTo(glm::dvec3 place, double least) const {
+    search(place, 0, points_.size(), 0, least);
+    return least;
+  }
+
+ private:
+  void sort(std::size_t begin, std::size_t end, int axis) {
+    if (end - begin < 2) return;
+    const std::size_t middle = begin + (end - begin) / 2;
+    const auto at = [&](std::size_t i) { return points_.begin() + static_cast<std::ptrdiff_t>(i); };
+    std::nth_element(at(begin), at(middle), at(end), [&](glm::dvec3 a, glm::dvec3 b) { return a[axis] < b[axis]; });
+    sort(begin, middle, (axis + 1) % 3);
+    sort(middle + 1, end, (axis + 1) % 3);
+  }
+
+  void search(glm::dvec3 place, std::size_t begin, std::size_t end, int axis, double& least) const {
+    if (begin == end) return;
+    const std::size_t middle = begin + (end - begin) / 2;
+    const glm::dvec3 away = place - points_[middle];
+    least = std::min(least, glm::dot(away, away));
+    const bool isBefore = away[axis] < 0.0;
+    const auto half = [&](bool first) {
+      search(place, first ? begin : middle + 1, first ? middle : end, (axis + 1) % 3, least);
+    };
+    half(isBefore);
+    if (away[axis] * away[axis] < least) half(!isBefore);
+  }
+
+  std::vector<glm::dvec3> points_;
+};
+
+std::vector<float> bySearch(std::span<const std::uint8_t> set, const Grid& grid, const SampledLattice& at) {
+  const glm::dmat3 fromIndex = glm::dmat3(grid.worldFromIndex());
+  const auto isIn = [&](glm::ivec3 index) { return grid.contains(index) && set[grid.offset(index)] != 0; };
+  // Also the points inside the set: in a sheared grid one of them may be nearer than those at its border.
+  std::vector<glm::dvec3> points;
+  for (int z = 0; z < grid.dims.z; ++z)
+    for (int y = 0; y < grid.dims.y; ++y)
+      for (int x = 0; x < grid.dims.x; ++x)
+        if (isIn({x, y, z})) points.push_back(fromIndex * glm::dvec3(x, y, z));
+  const PointTree tree(std::move(points));
+  const double step = glm::length(fromIndex[0]) * at.step.x;
+  const auto count = static_cast<std::size_t>(at.points.x);
+  std::vector<float> distances(at.count());
+  parallelFor(product(at.points.y, at.points.z), 1, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t row = begin; row < end; ++row) {
+      interruptionPoint();
+      const auto y = static_cast<int>(row % static_cast<std::size_t>(at.points.y));
+      const auto z = static_cast<int>(row / static_cast<std::size_t>(at.points.y));
+      double before = std::numeric_limits<double>::infinity();
+      for (int x = 0; x < at.points.x; ++x) {
+        const glm::ivec3 index = at.first + at.step * glm::ivec3(x, y, z);
+        // No farther than by way of the point before; a little more for rounding.
+        const double reach = (before + step) * (1.0 + 1e-12);
+        before = isIn(index) ? 0.0 : std::sqrt(tree.squareTo(fromIndex * glm::dvec3(index), reach * reach));
+        distances[row * count + static_cast<std::size_t>(x)] = static_cast<float>(before);
+      }
+    }
+  });
+  return distances;
+}
+
+}  // namespace
+
+bool isOrthogonal(const Grid& grid) {
+  constexpr double rounding = 1e-4;  // of a cosine, as files state them
+  for (int axis = 0; axis < 3; ++axis)
+    if (std::abs(glm::dot(grid.direction[axis], grid.direction[(axis + 1) % 3])) > rounding) return false;
+  return true;
+}
+
+std::vector<float> distancesTo(std::span<const std::uint8_t> set, const Grid& grid, const SampledLattice& at) {
+  if (std::all_of(set.begin(), set.end(), [](std::uint8_t held) { return held == 0; }))
+    return std::vector<float>(at.count(), std::numeric_limits<float>::infinity());
+  return isOrthogonal(grid) ? byEnvelopes(set, grid.dims, grid.spacing, at) : bySearch(set, grid, at);
+}
+
+}  // namespace fenestra
