@@ -17,8 +17,8 @@ std::size_t bytesOfList(std::size_t pixels) { return (wordsBefore + wordsOfPixel
 
 }  // namespace
 
-void EdgePass::find(Steps& steps, Schedule schedule, const gl::Texture& picture, const std::optional<Opening>& opening,
-                    Regions regions, gl::Texture& smoothed) {
+void EdgePass::find(Steps& steps, Schedule schedule, const gl::Texture& picture,
+                    const std::optional<OpeningRim>& opening, Regions regions, gl::Texture& smoothed) {
   const glm::ivec3 size = picture.size();
   const std::size_t needed = bytesOfList(static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y));
   if (list_.bytes() != needed) list_ = gl::Buffer::zeroed(needed);

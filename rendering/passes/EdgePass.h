@@ -17,14 +17,14 @@ class EdgePass {
   explicit EdgePass(const gl::SharedPrograms& programs = std::make_shared<gl::ComputePrograms>())
       : find_("EdgePixels.comp", programs), means_("EdgeMeans.comp", programs) {}
   /// What tells where the line around a cutaway's opening is smooth by itself.
-  struct Opening {
+  struct OpeningRim {
     const gl::Texture& hitPoints;
     const gl::Texture& distances;
     glm::dvec2 widths;  ///< w_open, w_border in rendered pixels
   };
   /// Lists the pixels of some regions that edges run through, in no order, and copies `picture` there (both
   /// premultiplied RGBA32F). A pixel of regions that overlap may be listed twice.
-  void find(Steps& steps, Schedule schedule, const gl::Texture& picture, const std::optional<Opening>& opening,
+  void find(Steps& steps, Schedule schedule, const gl::Texture& picture, const std::optional<OpeningRim>& opening,
             Regions regions, gl::Texture& smoothed);
   /// The number of pixels that find() has listed; waits for it.
   int count() const;

@@ -184,7 +184,7 @@ void FocusLayerPass::drawBetween(const Layers& layers, int halfSide, bool centre
 }
 
 void FocusLayerPass::run(Steps& steps, const GpuScene& gpu, const Look& look, const RayFrame& rays,
-                         const std::optional<Opening>& opening, const Sampling& sampling, Regions regions,
+                         const std::optional<RayStarts>& opening, const Sampling& sampling, Regions regions,
                          gl::Texture& focusLayer, const gl::Texture* occlusion) {
   add(steps, {Drawn{gpu, look, rays, opening, sampling, occlusion}}, regions, focusLayer);
 }

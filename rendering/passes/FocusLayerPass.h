@@ -35,7 +35,7 @@ class FocusLayerPass {
         sidesBetween_("SidesBetween.comp", programs) {}
   /// Where rays start in a cutaway; hitPoints tells cut faces from the focus and the context's own surface. Where the
   /// opening is ghosted, rays start where they enter the volume instead, and rayStart is where their ghost ends.
-  struct Opening {
+  struct RayStarts {
     const gl::Texture& hitPoints;
     const gl::Texture& rayStart;
     /// Where another camera cuts the opening; see RemovedPass. Needs a sampling with a bound on the error.
@@ -74,7 +74,7 @@ class FocusLayerPass {
   /// Writes premultiplied RGBA32F. Without an opening rays start where they enter the volume. `occlusion`: of
   /// OcclusionPass; null: neither ambient occlusion nor shadows.
   void run(Steps& steps, const GpuScene& gpu, const Look& look, const RayFrame& rays,
-           const std::optional<Opening>& opening, const Sampling& sampling, Regions regions, gl::Texture& focusLayer,
+           const std::optional<RayStarts>& opening, const Sampling& sampling, Regions regions, gl::Texture& focusLayer,
            const gl::Texture* occlusion = nullptr);
 
   /// What a stretch of the rays of an exploded view shows: a part of the context, up to the focus's first hit or from
@@ -100,7 +100,7 @@ class FocusLayerPass {
     const GpuScene& gpu;
     const Look& look;
     const RayFrame& rays;
-    std::optional<Opening> opening;
+    std::optional<RayStarts> opening;
     Sampling sampling;
     const gl::Texture* occlusion;
     const ExplodedStretch* stretch = nullptr;  ///< in an exploded view

@@ -97,7 +97,7 @@ OcclusionUniforms occlusionUniforms(const GpuScene& gpu, const Shading& shading,
 }  // namespace
 
 void OcclusionPass::run(Steps& steps, const GpuScene& gpu, const Shading& shading, glm::dvec3 light, const Clip& clip,
-                        const std::optional<Opening>& opening, const occlusion::Directions& directions,
+                        const std::optional<CutRays>& opening, const occlusion::Directions& directions,
                         gl::Texture& nodes) {
   const OccluderCells& cells = gpu.occluders().cells();
   steps_ = stepsOf(gpu, shading, light, directions);

@@ -21,7 +21,7 @@ class OcclusionPass {
         occlusion_("Occlusion.comp", programs),
         nodes_("OcclusionNodes.comp", programs) {}
   /// The camera that cuts the opening: its first hits, and where its rays start.
-  struct Opening {
+  struct CutRays {
     const RayFrame& rays;
     const gl::Texture& hitPoints;
     const gl::Texture& rayStart;
@@ -31,7 +31,7 @@ class OcclusionPass {
   /// light and the upper ones of direct light, 65535 for all of it. `light`: towards the light, unit, world. `gpu` has
   /// occluders.
   void run(Steps& steps, const GpuScene& gpu, const Shading& shading, glm::dvec3 light, const Clip& clip,
-           const std::optional<Opening>& opening, const occlusion::Directions& directions, gl::Texture& nodes);
+           const std::optional<CutRays>& opening, const occlusion::Directions& directions, gl::Texture& nodes);
   void release() {
     medium_ = {};
     nodeValues_ = {};

@@ -21,7 +21,7 @@ IntegralKind::Held heldFor(ProtectedLayerPass::Shown shown) {
 }  // namespace
 
 void ProtectedLayerPass::run(Steps& steps, const GpuScene& gpu, const Look& look, const RayFrame& rays,
-                             const FocusLayerPass::Opening& opening, const FocusLayerPass::Sampling& sampling,
+                             const FocusLayerPass::RayStarts& opening, const FocusLayerPass::Sampling& sampling,
                              Regions regions, gl::Texture& protectedLayer, const gl::Texture* occlusion, Shown shown) {
   FocusLayerPass::Sampling bounded = sampling;
   bounded.maxError = 0.5 * sampling.maxError.value_or(std::max(FocusLayerPass::usualBound, 4.0 * sampling.tolerance));

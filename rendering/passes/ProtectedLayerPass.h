@@ -30,7 +30,7 @@ class ProtectedLayerPass {
   /// Writes P, premultiplied RGBA32F, cell by cell: within half of the sampling's bound on the error of a colour, or
   /// where it has none, of four times its tolerance. For ProtectedLabels, `gpu` has some.
   void run(Steps& steps, const GpuScene& gpu, const Look& look, const RayFrame& rays,
-           const FocusLayerPass::Opening& opening, const FocusLayerPass::Sampling& sampling, Regions regions,
+           const FocusLayerPass::RayStarts& opening, const FocusLayerPass::Sampling& sampling, Regions regions,
            gl::Texture& protectedLayer, const gl::Texture* occlusion = nullptr, Shown shown = Shown::ProtectedLabels);
 
  private:

@@ -3,7 +3,7 @@
 namespace fenestra {
 
 void RemovedPass::run(Steps& steps, Schedule schedule, const RayFrame& rays, const gl::Texture& hitPoints,
-                      const Opening& opening, bool holes, double voxel, gl::Texture& faces, const Outputs& outputs) {
+                      const CutImages& opening, bool holes, double voxel, gl::Texture& faces, const Outputs& outputs) {
   steps.add(opening.rays.size(), [this, schedule, opening, &faces](Regions tile) {
     gl::ShaderProgram& program = faces_.get(gl::Variant{{}, {scheduleChoice(schedule)}} + opening.rays.variant());
     opening.rays.setUniforms(program);
@@ -19,7 +19,7 @@ void RemovedPass::run(Steps& steps, Schedule schedule, const RayFrame& rays, con
 }
 
 void RemovedPass::runParts(Steps& steps, Schedule schedule, const RayFrame& rays, const gl::Texture& hitPoints,
-                           const Opening& opening, bool holes, double voxel, const gl::Texture& faces,
+                           const CutImages& opening, bool holes, double voxel, const gl::Texture& faces,
                            const gl::Region& region, const Outputs& outputs) {
   steps.add(
       Regions(&region, 1), [this, schedule, &rays, &hitPoints, opening, holes, voxel, &faces, outputs](Regions tile) {

@@ -28,7 +28,7 @@ class RemovedPass {
   explicit RemovedPass(const gl::SharedPrograms& programs = std::make_shared<gl::ComputePrograms>())
       : faces_("RemovedFaces.comp", programs), parts_("RemovedParts.comp", programs) {}
   /// The opening's camera and its images, as the other passes of stages 1 to 4 make them.
-  struct Opening {
+  struct CutImages {
     const RayFrame& rays;
     const gl::Texture& hitPoints;
     const gl::Texture& focusFilled;
@@ -48,11 +48,11 @@ class RemovedPass {
   };
   /// `faces`: RGBA32F of the opening's size, for this pass alone. Without `holes` only what is removed at a ray's start
   /// is. `voxel`: mm, its shortest side.
-  void run(Steps& steps, Schedule schedule, const RayFrame& rays, const gl::Texture& hitPoints, const Opening& opening,
-           bool holes, double voxel, gl::Texture& faces, const Outputs& outputs);
+  void run(Steps& steps, Schedule schedule, const RayFrame& rays, const gl::Texture& hitPoints,
+           const CutImages& opening, bool holes, double voxel, gl::Texture& faces, const Outputs& outputs);
   /// Runs for other rays, whose images have that part, with the faces that run() has made.
   void runParts(Steps& steps, Schedule schedule, const RayFrame& rays, const gl::Texture& hitPoints,
-                const Opening& opening, bool holes, double voxel, const gl::Texture& faces, const gl::Region& region,
+                const CutImages& opening, bool holes, double voxel, const gl::Texture& faces, const gl::Region& region,
                 const Outputs& outputs);
 
  private:

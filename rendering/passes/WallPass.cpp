@@ -38,7 +38,7 @@ WallUniforms uniformsOf(const std::vector<Wall>& walls, const Grid& grid, const 
 }  // namespace
 
 void WallPass::run(Steps& steps, const GpuScene& gpu, const Scene& scene, const ShownSlices& slices,
-                   const RayFrame& rays, const std::optional<Opening>& opening, const gl::Texture& picture,
+                   const RayFrame& rays, const std::optional<OpenedSpace>& opening, const gl::Texture& picture,
                    Regions regions, const Outputs& outputs) {
   const MethodStages::Walls which = *wallsOf(scene.look);
   const Grid& grid = scene.volume->grid;

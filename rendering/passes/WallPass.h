@@ -19,7 +19,7 @@ class WallPass {
   explicit WallPass(const gl::SharedPrograms& programs = std::make_shared<gl::ComputePrograms>())
       : programs_("Walls.comp", programs) {}
   /// What walls inside the opening need: the picture's hits (RG32F) and ray starts (R32F), positions along its rays.
-  struct Opening {
+  struct OpenedSpace {
     const gl::Texture& hitPoints;
     const gl::Texture& rayStart;
   };
@@ -31,7 +31,8 @@ class WallPass {
   /// `scene` has walls. `opening` where they stand inside it; `picture` (premultiplied RGBA32F) is what they are laid
   /// beneath, or, inside the opening, over.
   void run(Steps& steps, const GpuScene& gpu, const Scene& scene, const ShownSlices& slices, const RayFrame& rays,
-           const std::optional<Opening>& opening, const gl::Texture& picture, Regions regions, const Outputs& outputs);
+           const std::optional<OpenedSpace>& opening, const gl::Texture& picture, Regions regions,
+           const Outputs& outputs);
   std::size_t bytes() const { return images_.bytes(); }
   /// Drops what the walls show.
   void release() { images_ = {}; }

@@ -85,12 +85,12 @@ const gl::Texture& EdgeRayStage::addLayers(const Frame& frame, Steps& steps, con
 }
 
 void EdgeRayStage::addFocusLayer(const Frame& frame, Steps& steps, const Batch& batch) {
-  std::optional<FocusLayerPass::Opening> opening;
+  std::optional<FocusLayerPass::RayStarts> opening;
   if (frame.hasCutaway)
-    opening.emplace(FocusLayerPass::Opening{.hitPoints = hits_,
-                                            .rayStart = starts_,
-                                            .hole = frame.other ? &hole_ : nullptr,
-                                            .pixelStarts = inputs_.starts.starts().orNull()});
+    opening.emplace(FocusLayerPass::RayStarts{.hitPoints = hits_,
+                                              .rayStart = starts_,
+                                              .hole = frame.other ? &hole_ : nullptr,
+                                              .pixelStarts = inputs_.starts.starts().orNull()});
   focusLayerPass_.run(steps, gpu(), frame.look(), batch.rays, opening,
                       FocusLayerPass::followingEveryRay(frame.sampling), Regions(&batch.region, 1),
                       sized(focusLayer_, gl::Format::RGBA32F, batch.size), inputs_.occlusion.nodes().orNull());

@@ -22,9 +22,9 @@ void EdgeStage::begin(const Frame& frame, Steps& steps) {
   if (!changed.empty() && !isBlended_) forget();
   const Output picture = pixels_.picture();
   update(frame.own, steps, {.picture = picture.version}, {.changed = changed}, [&](Regions regions) {
-    std::optional<EdgePass::Opening> opening;
+    std::optional<EdgePass::OpeningRim> opening;
     if (frame.hasCutaway)
-      opening.emplace(EdgePass::Opening{
+      opening.emplace(EdgePass::OpeningRim{
           .hitPoints = hits_.hits().image, .distances = starts_.distances().image, .widths = frame.widths()});
     isBlended_ = false;
     pass_.find(steps, gpu().schedule(), picture.image, opening, regions,

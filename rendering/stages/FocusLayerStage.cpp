@@ -57,9 +57,9 @@ void FocusLayerStage::addLayer(const Frame& frame, Steps& steps, Regions regions
                       layer_);
     return;
   }
-  std::optional<FocusLayerPass::Opening> opening;
+  std::optional<FocusLayerPass::RayStarts> opening;
   if (frame.hasCutaway)
-    opening.emplace(FocusLayerPass::Opening{
+    opening.emplace(FocusLayerPass::RayStarts{
         .hitPoints = starts_.hits().image, .rayStart = starts_.starts().image, .hole = starts_.hole()});
   pass_.run(steps, gpu(), frame.look(), frame.own.rays, opening, frame.sampling, regions, layer_,
             occlusion_.nodes().orNull());

@@ -30,9 +30,9 @@ void OcclusionStage::begin(const Frame& frame, Steps& steps) {
   if (frame.view().quality == Quality::Draft && !frame.view().maxError && isStale(key))
     key.directions = occlusion::draftDirections;
   update(cutting, steps, key, {}, [&](Regions) {
-    std::optional<OcclusionPass::Opening> opening;
+    std::optional<OcclusionPass::CutRays> opening;
     if (open)
-      opening.emplace(OcclusionPass::Opening{
+      opening.emplace(OcclusionPass::CutRays{
           .rays = cutting.rays, .hitPoints = cuts.opened.hits().image, .rayStart = cuts.starts.starts().image});
     pass_.run(steps, gpu(), shading, key.light, key.clip, opening, key.directions, nodes_);
   });

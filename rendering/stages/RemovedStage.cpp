@@ -11,7 +11,7 @@ RemovedStage::RemovedStage(StageList& list, const OpenedHits& opened, const Star
   owns(starts_, hole_, distances_, edits_, faces_);
 }
 
-RemovedPass::Opening RemovedStage::cut(const Frame& frame) const {
+RemovedPass::CutImages RemovedStage::cut(const Frame& frame) const {
   return {.rays = frame.other->rays,
           .hitPoints = opening_.opened.hits().image,
           .focusFilled = opening_.surface().image,
@@ -33,7 +33,7 @@ double RemovedStage::shortestVoxelSide() const {
 void RemovedStage::begin(const Frame& frame, Steps& steps) {
   const glm::ivec2 size = frame.view().size;
   const Sight& other = *frame.other;
-  const RemovedPass::Opening opening = cut(frame);
+  const RemovedPass::CutImages opening = cut(frame);
   if (!isEdited()) edits_ = {};
   const RemovedKey key{.hits = opened_.hits().version,
                        .openingStarts = opening_.starts.starts().version,

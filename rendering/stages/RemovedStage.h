@@ -36,7 +36,7 @@ class RemovedStage : public KeyedStage<RemovedKey> {
   bool isEdited() const { return static_cast<bool>(opening_.edits.edits()); }
 
  private:
-  RemovedPass::Opening cut(const Frame& frame) const;
+  RemovedPass::CutImages cut(const Frame& frame) const;
   bool hasHoles(const Frame& frame) const;
   double shortestVoxelSide() const;
 

@@ -33,8 +33,9 @@ void WallStage::stand(const Frame& frame, Steps& steps, const Output& below, con
     key.settings = scene.look.labels;
   }
   update(frame.own, steps, std::move(key), {.changed = changedStrokes(frame.own)}, [&](Regions regions) {
-    std::optional<WallPass::Opening> opening;
-    if (inside) opening.emplace(WallPass::Opening{.hitPoints = inside->hits.image, .rayStart = inside->starts.image});
+    std::optional<WallPass::OpenedSpace> opening;
+    if (inside)
+      opening.emplace(WallPass::OpenedSpace{.hitPoints = inside->hits.image, .rayStart = inside->starts.image});
     pass_.run(steps, gpu(), scene, view.slices, frame.own.rays, opening, below.image, regions,
               {.layer = sized(layer_, gl::Format::RGBA32F, view.size),
                .picture = sized(picture_, gl::Format::RGBA32F, view.size, presented)});

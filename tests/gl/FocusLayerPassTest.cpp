@@ -23,7 +23,7 @@ class Drawing {
   void run(const MadeOpening* made, const Sampling& sampling, std::span<const gl::Region> regions, gl::Texture& image) {
     if (!made) return runWhole(pass_, gpu_, look_, rays_, std::nullopt, sampling, regions, image);
     const gl::Texture hits = imageOf(made->hits, size_), starts = imageOf(made->starts, size_);
-    runWhole(pass_, gpu_, look_, rays_, FocusLayerPass::Opening{hits, starts}, sampling, regions, image);
+    runWhole(pass_, gpu_, look_, rays_, FocusLayerPass::RayStarts{hits, starts}, sampling, regions, image);
   }
   std::vector<glm::vec4> pixels(const MadeOpening* made, const Sampling& sampling) {
     gl::Texture image = blank<glm::vec4>(size_);

@@ -36,7 +36,7 @@ class Drawing {
   }
 
   void run(const Sampling& sampling, std::span<const gl::Region> regions, gl::Texture& image) {
-    runWhole(pass_, gpu_, look_, rays_, FocusLayerPass::Opening{hits_, starts_}, sampling, regions, image);
+    runWhole(pass_, gpu_, look_, rays_, FocusLayerPass::RayStarts{hits_, starts_}, sampling, regions, image);
   }
   std::vector<glm::vec4> pixels(const Sampling& sampling) {
     gl::Texture image = blank<glm::vec4>(size_);

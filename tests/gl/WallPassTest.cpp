@@ -105,8 +105,8 @@ class WallPassTest : public GlTest {
       gpu.update(scene);
       const gl::Texture below = imageOf(picture, size), hits = imageOf(made.hits.texels, size),
                         starts = imageOf(made.starts, size);
-      std::optional<WallPass::Opening> opening;
-      if (inside) opening.emplace(WallPass::Opening{hits, starts});
+      std::optional<WallPass::OpenedSpace> opening;
+      if (inside) opening.emplace(WallPass::OpenedSpace{hits, starts});
       WallPass pass;
       const auto draw = [&](const std::vector<gl::Region>& regions, gl::Texture& layer, gl::Texture& image) {
         runWhole(pass, gpu, scene, slices, rays, opening, below, regions, WallPass::Outputs{layer, image});
