@@ -1,6 +1,6 @@
 // Every program that the renderer and camera placement link, in every variant, under both schedules: that it is GLSL
-// that others accept, that it fits what every OpenGL 4.5 driver must offer, and that a schedule does not change the
-// picture.
+// that others accept, that it fits what every OpenGL 4.5 driver must offer, and that neither a schedule nor drawing
+// a tile at a time changes the picture.
 
 #include <cstdlib>
 #include <filesystem>
@@ -13,6 +13,7 @@
 #include "rendering/gpu/Uniforms.h"
 #include "rendering/placement/Placer.h"
 #include "tests/gl/GlTest.h"
+#include "tests/gl/SameLayers.h"
 #include "tests/gl/SceneKinds.h"
 
 namespace fenestra::tests {
@@ -53,7 +54,26 @@ struct Drawn {
   Programs programs;
   std::vector<SceneKind> kinds;
   std::array<std::vector<std::vector<std::uint8_t>>, 2> pictures;  ///< by schedule, one a kind
+  std::vector<std::string> tileFaults;  ///< where a picture that is drawn in tiles is not that of one run
 };
+
+/// What is wrong with a picture that is drawn a tile at a time; empty where it has the bits and the counts of
+/// `inOneRun`.
+std::string tileFault(const std::shared_ptr<GpuScene>& gpu, const SceneKind& kind, Renderer& inOneRun) {
+  Renderer inTiles(gpu);
+  inTiles.begin(kind.scene, kind.view);
+  int slices = 1;
+  for (; !inTiles.advance(0.0); ++slices)
+    if (!inTiles.isDrawing()) return "it says that it is not drawing";
+  if (inTiles.isDrawing()) return "it says that it is still drawing";
+  if (slices <= 7) return "few tiles of some 50 groups of 8×8 pixels";
+  for (std::size_t pass = 0; pass < passCount; ++pass) {
+    const PassStats &tiled = inTiles.stats()[pass], &whole = inOneRun.stats()[pass];
+    if (tiled.runs != whole.runs || tiled.pixels != whole.pixels)
+      return "counts of " + std::string(nameOf(static_cast<Pass>(pass)));
+  }
+  return differingLayers(inTiles.readLayers(), inOneRun.readLayers());
+}
 
 Drawn drawAll() {
   Drawn all;
@@ -65,13 +85,15 @@ Drawn drawAll() {
     for (const std::string& block : blockNames) linked.blocks[block] = program.structLayout(block);
   });
   for (std::size_t i = 0; i < schedules.size(); ++i) {
-    // One renderer for all scenes: a program is linked once.
+    // One for all scenes: a program is linked once.
     const auto gpu = std::make_shared<GpuScene>();
     gpu->setSchedule(schedules[i]);
-    Renderer renderer(gpu);
     for (const SceneKind& kind : all.kinds) {
+      Renderer renderer(gpu);
       renderer.render(kind.scene, kind.view);
       all.pictures[i].push_back(renderer.readPicture());
+      if (const std::string fault = tileFault(gpu, kind, renderer); !fault.empty())
+        all.tileFaults.push_back(kind.name + ", " + std::string(nameOf(schedules[i])) + ": " + fault);
     }
     for (const Focus& focus : {Focus(LabelFocus{{1}}), Focus(ValueFocus{{95.0, 1000.0}, 0.0})}) {
       Scene scene = bodyWithOrgans<std::int16_t>(gridOf({26, 24, 22}));
@@ -312,6 +334,10 @@ TEST_F(ProgramsTest, AMissingChoiceIsAnErrorThatNamesIt) {
   } catch (const gl::ShaderError& error) {
     EXPECT_NE(std::string(error.what()).find("<schedule>"), std::string::npos) << error.what();
   }
+}
+
+TEST_F(ProgramsTest, TilesMakeTheSamePictureAsOneRunInEveryKindOfScene) {
+  for (const std::string& fault : drawn().tileFaults) ADD_FAILURE() << fault;
 }
 
 TEST_F(ProgramsTest, SchedulesDrawTheSamePicture) {

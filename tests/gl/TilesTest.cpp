@@ -1,10 +1,11 @@
-// Pictures that are drawn a tile at a time: every stage has the bits of a single run, wherever the tiles are cut, and
-// whichever picture was abandoned half way before.
+// Pictures that are drawn a tile at a time: every stage has the bits of a single run, whichever picture was abandoned
+// half way before. ProgramsTest draws every kind of scene so.
 
 #include <random>
 
 #include "rendering/passes/Steps.h"
 #include "tests/gl/GlTest.h"
+#include "tests/gl/SameLayers.h"
 #include "tests/gl/SceneKinds.h"
 
 namespace fenestra::tests {
@@ -12,50 +13,10 @@ namespace {
 
 using Tiles = GlTest;
 
-void expectSameStages(const Layers& a, const Layers& b) {
-  EXPECT_EQ(a.size, b.size);
-  EXPECT_TRUE(sameBits(a.tContext, b.tContext)) << "context hits";
-  EXPECT_TRUE(sameBits(a.tFocus, b.tFocus)) << "focus hits";
-  EXPECT_TRUE(sameBits(a.tFocusFilled, b.tFocusFilled)) << "filled focus hits";
-  EXPECT_TRUE(sameBits(a.distance, b.distance)) << "distances";
-  EXPECT_TRUE(sameBits(a.edits, b.edits)) << "edits";
-  EXPECT_TRUE(sameBits(a.tStart, b.tStart)) << "ray starts";
-  EXPECT_TRUE(sameBits(a.focusLayer, b.focusLayer)) << "focus layer";
-  EXPECT_TRUE(sameBits(a.contextLayer, b.contextLayer)) << "context layer";
-  EXPECT_TRUE(sameBits(a.lens, b.lens)) << "lens";
-  EXPECT_TRUE(sameBits(a.walls, b.walls)) << "walls";
-  EXPECT_TRUE(sameBits(a.final, b.final)) << "picture";
-}
-
 Layers whole(const std::shared_ptr<GpuScene>& gpu, const Scene& scene, const View& view) {
   Renderer renderer(gpu);
   renderer.render(scene, view);
   return renderer.readLayers();
-}
-
-TEST_F(Tiles, MakeTheSamePictureAsOneRunInEveryKindOfScene) {
-  const std::vector<SceneKind> kinds = allSceneKinds();
-  for (const Schedule schedule : {Schedule::Plain, Schedule::Llvmpipe}) {
-    // One for all scenes: a program is linked once.
-    const auto gpu = std::make_shared<GpuScene>();
-    gpu->setSchedule(schedule);
-    for (const SceneKind& kind : kinds) {
-      SCOPED_TRACE(kind.name + ", " + std::string(nameOf(schedule)));
-      Renderer inOneRun(gpu), inTiles(gpu);
-      inOneRun.render(kind.scene, kind.view);
-      inTiles.begin(kind.scene, kind.view);
-      int slices = 1;
-      for (; !inTiles.advance(0.0); ++slices) EXPECT_TRUE(inTiles.isDrawing());
-      EXPECT_FALSE(inTiles.isDrawing());
-      EXPECT_GT(slices, 7) << "of some 50 groups of 8×8 pixels";
-      expectSameStages(inTiles.readLayers(), inOneRun.readLayers());
-      for (std::size_t pass = 0; pass < passCount; ++pass) {
-        EXPECT_EQ(inTiles.stats()[pass].runs, inOneRun.stats()[pass].runs) << nameOf(static_cast<Pass>(pass));
-        EXPECT_EQ(inTiles.stats()[pass].pixels, inOneRun.stats()[pass].pixels) << nameOf(static_cast<Pass>(pass));
-      }
-      if (HasFailure()) return;
-    }
-  }
 }
 
 /// A change of scene or view; each change affects different stages.
@@ -111,7 +72,7 @@ TEST_F(Tiles, ADroppedPictureLeavesNoTrace) {
       const int slices = static_cast<int>(random() % 700);
       for (int i = 0; i < slices && !kept.advance(0.0);) ++i;
       kept.render(second, secondView);
-      expectSameStages(kept.readLayers(), whole(gpu, second, secondView));
+      EXPECT_EQ(differingLayers(kept.readLayers(), whole(gpu, second, secondView)), "");
       if (HasFailure()) return;
     }
 }
@@ -128,7 +89,7 @@ TEST_F(Tiles, APictureBegunAgainGoesOnWhereTheSharedSceneHasChanged) {
   quick.render(other, view);
   while (!slow.advance(5.0)) {
   }
-  expectSameStages(slow.readLayers(), whole(gpu, scene, view));
+  EXPECT_EQ(differingLayers(slow.readLayers(), whole(gpu, scene, view)), "");
 }
 
 TEST_F(Tiles, CoverEveryPixelOnceInTheOrderOfTheSteps) {
