@@ -5,6 +5,8 @@
 #include <limits>
 #include <utility>
 
+#include <nanoflann.hpp>
+
 #include "rendering/volume/Threads.h"
 
 namespace fenestra {
@@ -116,53 +118,40 @@ std::vector<float> byEnvelopes(std::span<const std::uint8_t> set, glm::ivec3 siz
   return squares;
 }
 
-/// A balanced k-d tree: the median along one axis in the middle, what lies on either side of it before and behind.
-class PointTree {
- public:
-  explicit PointTree(std::vector<glm::dvec3> points) : points_(std::move(points)) { sort(0, points_.size(), 0); }
-
-  /// The square of the distance to the nearest point, or `least` where none is nearer than that.
-  double squareTo(glm::dvec3 place, double least) const {
-    search(place, 0, points_.size(), 0, least);
-    return least;
+/// Points as nanoflann's k-d tree reads them.
+struct PointCloud {
+  std::vector<glm::dvec3> points;
+  std::size_t kdtree_get_point_count() const { return points.size(); }
+  double kdtree_get_pt(std::size_t point, std::size_t axis) const { return points[point][static_cast<int>(axis)]; }
+  template <class Box>
+  bool kdtree_get_bbox(Box&) const {
+    return false;  // the tree finds it
   }
-
- private:
-  void sort(std::size_t begin, std::size_t end, int axis) {
-    if (end - begin < 2) return;
-    const std::size_t middle = begin + (end - begin) / 2;
-    const auto at = [&](std::size_t i) { return points_.begin() + static_cast<std::ptrdiff_t>(i); };
-    std::nth_element(at(begin), at(middle), at(end), [&](glm::dvec3 a, glm::dvec3 b) { return a[axis] < b[axis]; });
-    sort(begin, middle, (axis + 1) % 3);
-    sort(middle + 1, end, (axis + 1) % 3);
-  }
-
-  void search(glm::dvec3 place, std::size_t begin, std::size_t end, int axis, double& least) const {
-    if (begin == end) return;
-    const std::size_t middle = begin + (end - begin) / 2;
-    const glm::dvec3 away = place - points_[middle];
-    least = std::min(least, glm::dot(away, away));
-    const bool isBefore = away[axis] < 0.0;
-    const auto half = [&](bool first) {
-      search(place, first ? begin : middle + 1, first ? middle : end, (axis + 1) % 3, least);
-    };
-    half(isBefore);
-    if (away[axis] * away[axis] < least) half(!isBefore);
-  }
-
-  std::vector<glm::dvec3> points_;
 };
+using PointTree =
+    nanoflann::KDTreeSingleIndexAdaptor<nanoflann::L2_Simple_Adaptor<double, PointCloud>, PointCloud, 3, std::size_t>;
+
+/// The square of the distance to the nearest point, or `least` where none is nearer than that.
+double squareTo(const PointTree& tree, glm::dvec3 place, double least) {
+  std::size_t nearest = 0;
+  double square = 0.0;
+  nanoflann::KNNResultSet<double, std::size_t> found(1);
+  found.init(&nearest, &square);
+  square = least;  // what the set looks at to leave out branches
+  tree.findNeighbors(found, &place.x, {});
+  return square;
+}
 
 std::vector<float> bySearch(std::span<const std::uint8_t> set, const Grid& grid, const SampledLattice& at) {
   const glm::dmat3 fromIndex = glm::dmat3(grid.worldFromIndex());
   const auto isIn = [&](glm::ivec3 index) { return grid.contains(index) && set[grid.offset(index)] != 0; };
   // Also the points inside the set: in a sheared grid one of them may be nearer than those at its border.
-  std::vector<glm::dvec3> points;
+  PointCloud cloud;
   for (int z = 0; z < grid.dims.z; ++z)
     for (int y = 0; y < grid.dims.y; ++y)
       for (int x = 0; x < grid.dims.x; ++x)
-        if (isIn({x, y, z})) points.push_back(fromIndex * glm::dvec3(x, y, z));
-  const PointTree tree(std::move(points));
+        if (isIn({x, y, z})) cloud.points.push_back(fromIndex * glm::dvec3(x, y, z));
+  const PointTree tree(3, cloud);
   const double step = glm::length(fromIndex[0]) * at.step.x;
   const auto count = static_cast<std::size_t>(at.points.x);
   std::vector<float> distances(at.count());
@@ -176,7 +165,7 @@ std::vector<float> bySearch(std::span<const std::uint8_t> set, const Grid& grid,
         const glm::ivec3 index = at.first + at.step * glm::ivec3(x, y, z);
         // No farther than by way of the point before; a little more for rounding.
         const double reach = (before + step) * (1.0 + 1e-12);
-        before = isIn(index) ? 0.0 : std::sqrt(tree.squareTo(fromIndex * glm::dvec3(index), reach * reach));
+        before = isIn(index) ? 0.0 : std::sqrt(squareTo(tree, fromIndex * glm::dvec3(index), reach * reach));
         distances[row * count + static_cast<std::size_t>(x)] = static_cast<float>(before);
       }
     }
