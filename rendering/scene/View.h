@@ -7,7 +7,7 @@
 
 #include "rendering/settings/Camera.h"
 #include "rendering/settings/Cutaway.h"
-#include "rendering/settings/Method.h"
+#include "rendering/vocabulary/MethodStages.h"
 #include "rendering/settings/Quality.h"
 #include "rendering/volume/Volume.h"
 
