@@ -7,6 +7,7 @@
 #include "rendering/Picking.h"
 #include "rendering/ReadLayers.h"
 #include "rendering/gl/Context.h"
+#include "rendering/gl/DrawTarget.h"
 
 namespace fenestra {
 

@@ -12,7 +12,7 @@
 #include <QTimer>
 #include <QVBoxLayout>
 
-#include "rendering/gpu/FocusIndex.h"
+#include "rendering/gpu/FocusIndexing.h"
 #include "rendering/scene/VisibleFraming.h"
 #include "rendering/segmentation/Couch.h"
 #include "viewer/DockHeights.h"

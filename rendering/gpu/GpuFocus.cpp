@@ -4,6 +4,7 @@
 #include <span>
 #include <utility>
 
+#include "rendering/gpu/FocusIndexing.h"
 #include "rendering/volume/Threads.h"
 
 namespace fenestra {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "rendering/gpu/FocusIndexing.h"
 #include "rendering/gpu/GpuScene.h"
 #include "rendering/scene/Importance.h"
 

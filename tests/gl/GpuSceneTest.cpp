@@ -6,6 +6,7 @@
 
 #include "rendering/gl/Texture.h"
 #include "rendering/gpu/FittedScene.h"
+#include "rendering/gpu/FocusIndexing.h"
 #include "rendering/scene/Thinned.h"
 #include "rendering/scene/VisibleFraming.h"
 #include "tests/gl/GlTest.h"

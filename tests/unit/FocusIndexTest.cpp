@@ -1,6 +1,6 @@
 // The sparse index of the focus against an evaluation of every cell, and the box and centre that come with it.
 
-#include "rendering/gpu/FocusIndex.h"
+#include "rendering/gpu/FocusIndexing.h"
 
 #include <algorithm>
 #include <random>

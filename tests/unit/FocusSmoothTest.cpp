@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include "rendering/gpu/FocusIndexing.h"
 #include "rendering/gpu/LabelIndex.h"
 #include "tests/support/Scenes.h"
 
