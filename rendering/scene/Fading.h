@@ -27,7 +27,8 @@ double steepestSlope(const Volume& volume);
 /// camera turns around the volume.
 struct EyeRange {
   double nearest = 0.0, farthest = 0.0;
-  /// d of rendering/methods/context-preserving/ContextPreserving.h at t mm along a ray; 0 where the whole sphere lies behind the eye.
+  /// d of rendering/methods/context-preserving/ContextPreserving.h at t mm along a ray; 0 where the whole sphere lies
+  /// behind the eye.
   double distance(double t) const;
 };
 EyeRange eyeRangeOf(const Camera& camera, const Grid& grid);

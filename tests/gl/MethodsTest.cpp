@@ -479,16 +479,16 @@ TEST_F(Methods, AMethodThatIsNotInUseCostsNothing) {
   const Scene scene = hazyBody({});
   const View view = viewOf(from(25, 15, scene));
   Scene others = scene;
-  Method& method = others.look.method;
-  method.of<methods::Cone>() = {.angle = 70.0};
-  method.of<methods::Importance>() = {
+  Method& unused = others.look.method;
+  unused.of<methods::Cone>() = {.angle = 70.0};
+  unused.of<methods::Importance>() = {
       .mode = ImportanceMode::Average, .angle = 40.0, .opacity = 0.9, .sparseness = Sparseness::Colour};
-  method.of<methods::ClearView>() = {.fade = LensFade::Depth, .radius = 70.0, .bends = 3.0, .rim = 9.0};
-  method.of<methods::ContextPreserving>() = {.reach = 7.0, .sharpness = 1.5};
-  method.of<methods::FocalRegion>() = {.shape = FocalShape::Box, .size = 4.0, .fallOff = 3.0};
-  method.of<methods::Walls>() = {.placement = WallPlacement::Inside, .axial = false, .outlines = false};
-  method.of<methods::Explode>() = {.degree = 0.9, .planes = ExplosionPlanes::Three, .axes = ExplosionAxes::View};
-  method.of<methods::Selection>() = {.strength = 0.3, .edge = 40.0, .outline = 0.9};
+  unused.of<methods::ClearView>() = {.fade = LensFade::Depth, .radius = 70.0, .bends = 3.0, .rim = 9.0};
+  unused.of<methods::ContextPreserving>() = {.reach = 7.0, .sharpness = 1.5};
+  unused.of<methods::FocalRegion>() = {.shape = FocalShape::Box, .size = 4.0, .fallOff = 3.0};
+  unused.of<methods::Walls>() = {.placement = WallPlacement::Inside, .axial = false, .outlines = false};
+  unused.of<methods::Explode>() = {.degree = 0.9, .planes = ExplosionPlanes::Three, .axes = ExplosionAxes::View};
+  unused.of<methods::Selection>() = {.strength = 0.3, .edge = 40.0, .outline = 0.9};
   View other = view;
   other.slices = {scene.volume->grid.centre() + 5.0, WindowLevel{9.0, 8.0}, true};
   Renderer renderer(gpuWith(Schedule::Plain)), fresh(gpuWith(Schedule::Plain));
