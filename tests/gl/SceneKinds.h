@@ -143,11 +143,11 @@ inline std::vector<std::pair<std::string, Method>> otherMethods() {
       {"exploded along the view", methods::Explode{.degree = 0.4, .axes = ExplosionAxes::View}},
       {"sculpting, with nothing carved", methods::Sculpt{}},
       {"peeled", methods::Peel{.amount = 0.7, .radius = 4.0, .margin = 2.0}}};
-  // A method that needs no parameters of its own for small bodies is here by being in the list of methods.
+  // Others are here by being in the list of methods, but for those that open nothing without a user's hand.
   forEachMethod([&]<class M>() {
     const bool listed =
         std::any_of(list.begin(), list.end(), [](const auto& each) { return each.second.template is<M>(); });
-    if (!listed && kindOf<M> != MethodKind{}) list.push_back({M::word, M{}});
+    if (!listed && kindOf<M> != MethodKind{} && !carves(kindOf<M>)) list.push_back({M::word, M{}});
   });
   return list;
 }
