@@ -120,6 +120,7 @@ void addLookOptions(Command command, io::StudyRequest& request) {
       });
   addLightPreset(command, look.shading);
   addSettings(command, look.method);
+  forEachMethod([&]<class M>() { addSettings(command, look.method.of<M>()); });
   addSettings(command, look.cutaway);
   addSettings(command, look.contextLayer);
   addSettings(command, look.shading);

@@ -14,6 +14,7 @@
 #include "app/options/Numbers.h"
 #include "app/options/WordOptions.h"
 #include "io/session/SessionFile.h"
+#include "rendering/settings/SettingWords.h"
 
 namespace fenestra::app {
 namespace {

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "app/options/Numbers.h"
-#include "rendering/settings/Setting.h"
+#include "rendering/vocabulary/Setting.h"
 
 namespace fenestra::app {
 

@@ -1,10 +1,10 @@
 #pragma once
-// Options that take the words of an enumeration (rendering/settings/SettingWords.h).
+// Options that take the words of an enumeration (rendering/vocabulary/Word.h).
 
 #include <string>
 
 #include "app/options/Options.h"
-#include "rendering/settings/SettingWords.h"
+#include "rendering/vocabulary/Word.h"
 
 namespace fenestra::app {
 

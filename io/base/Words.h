@@ -2,7 +2,7 @@
 // The words of choices about reading, in sessions and on the command line.
 
 #include "io/base/Regularise.h"
-#include "rendering/settings/SettingWords.h"
+#include "rendering/vocabulary/Word.h"
 #include "rendering/volume/Volume.h"
 
 // Found by argument-dependent lookup, hence in the namespaces of what they are about.

@@ -1,6 +1,6 @@
 #pragma once
 // The members of a look and of its parts in JSON, for sessions and for files of strokes and looks. Settings come from
-// their tables in rendering/settings/Settings.h. Private to io/session.
+// their tables in rendering/settings/Settings.h and rendering/methods. Private to io/session.
 
 #include <algorithm>
 #include <cmath>
@@ -25,7 +25,11 @@ void settings(auto& io, Object& object) {
   });
 }
 
-void members(auto& io, io::json::Is<Method> auto& method) { settings(io, method); }
+/// The method that is chosen, and the parameters of all of them.
+void members(auto& io, io::json::Is<Method> auto& method) {
+  settings(io, method);
+  forEachMethod([&]<class M>() { settings(io, method.template of<M>()); });
+}
 void members(auto& io, io::json::Is<Cutaway> auto& cutaway) { settings(io, cutaway); }
 void members(auto& io, io::json::Is<ContextLayer> auto& layer) { settings(io, layer); }
 void members(auto& io, io::json::Is<Shading> auto& shading) { settings(io, shading); }

@@ -1,6 +1,6 @@
 #pragma once
-// What ClearView's lens reads of the context's first surface (rendering/settings/Method.h has the formula, and its
-// source).
+// What ClearView's lens reads of the context's first surface (rendering/methods/clearview/ClearView.h has the formula,
+// and its source).
 
 #include <optional>
 

@@ -1,6 +1,6 @@
 #pragma once
 // Lays slices that stand as walls over or beneath a picture. Walls and their colours are those of
-// rendering/scene/Walls.h, how they are laid is said by MethodStages::Walls (rendering/settings/Method.h).
+// rendering/scene/Walls.h, how they are laid is said by MethodStages::Walls (rendering/vocabulary/MethodStages.h).
 
 #include <optional>
 #include <vector>

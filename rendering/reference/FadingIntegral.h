@@ -1,6 +1,6 @@
 #pragma once
-// The volume rendering integral through a context that fades (MethodStages::Fading in rendering/settings/Method.h): a
-// system of differential equations, solved step by step.
+// The volume rendering integral through a context that fades (MethodStages::Fading in
+// rendering/vocabulary/MethodStages.h): a system of differential equations, solved step by step.
 //
 // With the optical depth τ along a ray, A = 1 - exp(-τ), and t in mm,
 //

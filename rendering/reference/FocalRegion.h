@@ -1,11 +1,11 @@
 #pragma once
-// A focal region in double precision, as MethodStages::Fading::Region (rendering/settings/Method.h) defines it.
+// A focal region in double precision, as rendering/methods/focal-region/FocalRegion.h defines it.
 
 #include <vector>
 
 #include "rendering/reference/Reference.h"
 #include "rendering/scene/FocusDistances.h"
-#include "rendering/settings/Method.h"
+#include "rendering/vocabulary/MethodStages.h"
 
 namespace fenestra::reference {
 

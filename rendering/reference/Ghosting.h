@@ -1,8 +1,8 @@
 #pragma once
-// A ghost of what an opening would remove in double precision, as MethodStages::Fading::Ghost
-// (rendering/settings/Method.h) defines it.
+// A ghost of what an opening would remove in double precision, as
+// rendering/methods/selection/Selection.h defines it.
 
-#include "rendering/settings/Method.h"
+#include "rendering/vocabulary/MethodStages.h"
 
 namespace fenestra::reference {
 

@@ -1,5 +1,5 @@
 #pragma once
-// ClearView's lens in double precision, as MethodStages::Lens (rendering/settings/Method.h) defines it.
+// ClearView's lens in double precision, as rendering/methods/clearview/ClearView.h defines it.
 
 #include <vector>
 

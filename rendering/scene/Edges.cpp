@@ -4,12 +4,11 @@
 
 namespace fenestra {
 
-bool opensBetweenPixels(MethodKind kind) { return kind == MethodKind::Adaptive || kind == MethodKind::Selection; }
-
 bool hasSmoothEdges(const Look& look, const View& view) {
+  const MethodStages method = stagesOf(look.method);
   const bool opens = look.cutaway.enabled && !std::holds_alternative<std::monostate>(look.focus) &&
-                     stagesOf(look.method).start != MethodStages::Start::Entry;
-  return look.edges == Edges::Smooth && !(opens && !opensBetweenPixels(look.method.kind)) && !wallsOf(look) &&
+                     method.start != MethodStages::Start::Entry;
+  return look.edges == Edges::Smooth && !(opens && !method.opensBetweenPixels()) && !wallsOf(look) &&
          (view.quality != Quality::Draft || view.maxError);
 }
 

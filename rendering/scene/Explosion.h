@@ -32,7 +32,7 @@
 
 #include "rendering/settings/Camera.h"
 #include "rendering/settings/Clipping.h"
-#include "rendering/settings/Method.h"
+#include "rendering/vocabulary/MethodStages.h"
 
 namespace fenestra {
 

@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "rendering/settings/Camera.h"
-#include "rendering/settings/Method.h"
+#include "rendering/vocabulary/MethodStages.h"
 #include "rendering/volume/Volume.h"
 
 namespace fenestra {
@@ -27,7 +27,8 @@ double steepestSlope(const Volume& volume);
 /// camera turns around the volume.
 struct EyeRange {
   double nearest = 0.0, farthest = 0.0;
-  /// d of MethodStages::Fading at t mm along a ray; 0 where the whole sphere lies behind the eye.
+  /// d of rendering/methods/context-preserving/ContextPreserving.h at t mm along a ray; 0 where the whole sphere lies
+  /// behind the eye.
   double distance(double t) const;
 };
 EyeRange eyeRangeOf(const Camera& camera, const Grid& grid);

@@ -31,7 +31,7 @@
 #include <cstdint>
 #include <optional>
 
-#include "rendering/settings/Method.h"
+#include "rendering/vocabulary/MethodStages.h"
 #include "rendering/volume/Grid.h"
 
 namespace fenestra {

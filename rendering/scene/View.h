@@ -7,8 +7,8 @@
 
 #include "rendering/settings/Camera.h"
 #include "rendering/settings/Cutaway.h"
-#include "rendering/settings/Method.h"
 #include "rendering/settings/Quality.h"
+#include "rendering/vocabulary/MethodStages.h"
 #include "rendering/volume/Volume.h"
 
 namespace fenestra {

@@ -25,7 +25,7 @@
 
 #include "rendering/scene/View.h"
 #include "rendering/settings/Camera.h"
-#include "rendering/settings/Method.h"
+#include "rendering/vocabulary/MethodStages.h"
 #include "rendering/volume/Slice.h"
 
 namespace fenestra {

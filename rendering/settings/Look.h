@@ -8,13 +8,13 @@
 
 #include <glm/glm.hpp>
 
+#include "rendering/methods/Method.h"
 #include "rendering/settings/BrushStroke.h"
 #include "rendering/settings/Clipping.h"
 #include "rendering/settings/Cutaway.h"
 #include "rendering/settings/Focus.h"
 #include "rendering/settings/LabelSettings.h"
 #include "rendering/settings/LabelSmoothing.h"
-#include "rendering/settings/Method.h"
 #include "rendering/settings/Reconstruction.h"
 #include "rendering/settings/Removal.h"
 #include "rendering/settings/TransferFunction.h"

@@ -1,13 +1,12 @@
 #pragma once
-// Declares every setting of a look once: its name in files, on the command line and in the window, its meaning and its
-// range. A setting's default is its member's initialiser. Session files and their published schema, the options of the
+// Declares every setting of a look once, but those of the methods, which rendering/methods has: its name in files, on
+// the command line and in the window, its meaning and its range. A setting's default is its member's initialiser. Session files and their published schema, the options of the
 // command line and the controls of the window are made from these tables.
 
-#include <concepts>
 #include <tuple>
 
-#include "rendering/settings/MethodSettings.h"
-#include "rendering/settings/Setting.h"
+#include "rendering/settings/SettingWords.h"
+#include "rendering/vocabulary/Setting.h"
 
 namespace fenestra {
 
@@ -248,22 +247,5 @@ inline constexpr std::tuple settingsOf<BrushStroke>{
                                  .name = "View",
                                  .description = "View in which it shows: 0 for C1, 1 for C2, -1 for both",
                                  .range = {-1.0, 1.0}})};
-
-/// Calls use(setting) for every setting of `Owner`.
-template <class Owner>
-constexpr void forEachSetting(auto&& use) {
-  std::apply([&](const auto&... setting) { (use(setting), ...); }, settingsOf<Owner>);
-}
-
-/// The declaration of a member, as in settingOf(&Cutaway::openWidth).
-template <class Owner, class Value>
-constexpr const Setting<Owner, Value>& settingOf(Value Owner::*member) {
-  const Setting<Owner, Value>* found = nullptr;
-  forEachSetting<Owner>([&](const auto& setting) {
-    if constexpr (std::same_as<decltype(setting), const Setting<Owner, Value>&>)
-      if (setting.member == member) found = &setting;
-  });
-  return *found;
-}
 
 }  // namespace fenestra

@@ -110,9 +110,9 @@ TEST(ContextKept, OfASlabBeforeABallIsWhatACylinderLeaves) {
   EXPECT_NEAR(kept.surface, kept.volume, 1e-4) << "a cylinder takes as much of the surface";
 
   Scene faint = scene;
-  faint.look.method.kind = MethodKind::Importance;
-  faint.look.method.importance = ImportanceMode::Average;
-  faint.look.method.importanceOpacity = 0.25;
+  faint.look.method.kind = kindOf<methods::Importance>;
+  faint.look.method.of<methods::Importance>().mode = ImportanceMode::Average;
+  faint.look.method.of<methods::Importance>().opacity = 0.25;
   const Case faintView(faint, parallel());
   EXPECT_NEAR(1.0 - faintView.samples.kept(faintView.rays()).volume, 0.75 * (1.0 - kept.volume), 1e-6);
 
@@ -165,24 +165,24 @@ TEST(ContextKept, AroundAFocalRegionIsTheGradientsShare) {
   Scene scene = slabBeforeBall();
   scene.volume = volumeOf<float>(grid, [](glm::ivec3 i) { return i.y; });
   scene.labels = labelsOf(grid, [](glm::ivec3 i) { return i == glm::ivec3(20, 38, 20) ? 1 : 0; });
-  scene.look.method.kind = MethodKind::FocalRegion;
-  scene.look.method.focalSize = 1.0;
-  scene.look.method.focalFallOff = 1e5;
+  scene.look.method.kind = kindOf<methods::FocalRegion>;
+  scene.look.method.of<methods::FocalRegion>().size = 1.0;
+  scene.look.method.of<methods::FocalRegion>().fallOff = 1e5;
   const Case view(scene, parallel());
   // The range of 40 over 1 mm, halved, is the steepest slope: 1 mm⁻¹ is a twentieth.
   EXPECT_NEAR(view.samples.kept(view.rays()).volume, 1.0 / 20.0, 1e-3);
-  scene.look.method.focalSize = 100.0;
+  scene.look.method.of<methods::FocalRegion>().size = 100.0;
   const Case inside(scene, parallel());
   EXPECT_DOUBLE_EQ(inside.samples.kept(inside.rays()).volume, 1.0);
 }
 
 TEST(ContextKept, OfContextPreservingIsTheSolutionForOneMaterial) {
   Scene scene = slabBeforeBall();
-  scene.look.method.kind = MethodKind::ContextPreserving;
-  scene.look.method.fadeReach = 0.0;
+  scene.look.method.kind = kindOf<methods::ContextPreserving>;
+  scene.look.method.of<methods::ContextPreserving>().reach = 0.0;
   const Case still(scene, parallel());
   EXPECT_DOUBLE_EQ(still.samples.kept(still.rays()).volume, 1.0);
-  scene.look.method.fadeReach = 0.3;
+  scene.look.method.of<methods::ContextPreserving>().reach = 0.3;
   const Case view(scene, parallel());
   const reference::Picture exact = reference::picture(scene, parallel(), size);
   const double slab = haze * (back - front);
@@ -201,10 +201,10 @@ TEST(ContextKept, OfAGhostIsItsShareOfWhatAnOpeningRemoves) {
   const double removed = 1.0 - opened.samples.kept(opened.rays()).volume;
   ASSERT_GT(removed, 0.1);
   Method& method = scene.look.method;
-  method.kind = MethodKind::Selection;
-  method.ghostStrength = 0.8;
-  method.ghostEdge = 10.0;
-  method.ghostOutline = 0.5;
+  method.kind = kindOf<methods::Selection>;
+  method.of<methods::Selection>().strength = 0.8;
+  method.of<methods::Selection>().edge = 10.0;
+  method.of<methods::Selection>().outline = 0.5;
   // Values rise by 1 mm⁻¹ along the rays; half of their range of 45 over 1 mm is the steepest slope.
   const double slope = 1.0 / 22.5, square = slope * slope;
   const double share = 1.0 - 0.8 * (1.0 - 0.5 * square / (square + 0.1 * 0.1));
@@ -230,10 +230,10 @@ TEST(DepthOrder, IsWrongWhereAFocusFloatsBeforeWhatHidesIt) {
   EXPECT_NEAR(opened.wrong, 0.0, 1e-9) << "the wall begins at the ball";
   EXPECT_EQ(opened.wrongPairs, 0);
 
-  scene.look.method.kind = MethodKind::Importance;
-  scene.look.method.importance = ImportanceMode::Average;
+  scene.look.method.kind = kindOf<methods::Importance>;
+  scene.look.method.of<methods::Importance>().mode = ImportanceMode::Average;
   for (const double share : {0.05, 0.75}) {
-    scene.look.method.importanceOpacity = share;
+    scene.look.method.of<methods::Importance>().opacity = share;
     const DepthOrder faint = orderOf();
     EXPECT_NEAR(faint.wrong, (1.0 - share) * opacity, 1e-2) << share;
     EXPECT_EQ(faint.wrongPairs, share < 0.5);
@@ -269,7 +269,7 @@ TEST(MethodMeasures, EveryMethodHasTheOpacityOfItsReference) {
     if (variant.moves || stagesOf(variant.method).walls) continue;  // walls are in the picture's opacity
     Scene scene = base;
     scene.look.method = variant.method;
-    scene.look.method.focalSize = 8.0;
+    scene.look.method.of<methods::FocalRegion>().size = 8.0;
     const Case view(scene, camera);
     const reference::Picture exact = reference::picture(scene, camera, size);
     const std::vector<double> opacities = view.samples.opacities(view.rays());

@@ -1,11 +1,11 @@
 #pragma once
 // The methods that pages and sheets compare, at their defaults.
 
-#include <functional>
+#include <concepts>
 #include <string>
 #include <vector>
 
-#include "rendering/settings/Settings.h"
+#include "rendering/methods/Method.h"
 
 namespace fenestra::bench {
 
@@ -21,26 +21,18 @@ struct MethodVariant {
 /// One row a method, the adaptive cutaway first; those that need a user's hand are left out.
 inline std::vector<MethodVariant> methodVariants() {
   std::vector<MethodVariant> list;
-  const auto add = [&](MethodKind kind, const std::string& way = {}, const std::function<void(Method&)>& change = {}) {
-    Method method;
-    method.kind = kind;
-    if (change) change(method);
-    for (const auto& word : wordsOf(kind))
-      if (word.value == kind)
-        list.push_back({std::string(word.word) + (way.empty() ? "" : "-" + way),
-                        std::string(word.name) + (way.empty() ? "" : ", " + way), method});
+  const auto add = [&]<class M>(const M& parameters, const std::string& way = {}) {
+    const MethodStages stages = parameters.stages();
+    list.push_back({.name = M::word + (way.empty() ? "" : "-" + way),
+                    .caption = M::name + (way.empty() ? "" : ", " + way),
+                    .method = parameters,
+                    .moves = stages.explosion || stages.peel});
   };
-  add(MethodKind::Adaptive);
-  add(MethodKind::Cone);
-  add(MethodKind::Importance);
-  add(MethodKind::Importance, "average", [](Method& method) { method.importance = ImportanceMode::Average; });
-  add(MethodKind::ClearView);
-  add(MethodKind::ContextPreserving);
-  add(MethodKind::FocalRegion);
-  for (const MethodKind kind : {MethodKind::Walls, MethodKind::Explode, MethodKind::Selection, MethodKind::Peel}) {
-    add(kind);
-    list.back().moves = kind == MethodKind::Explode || kind == MethodKind::Peel;
-  }
+  forEachMethod([&]<class M>() {
+    if (!carves(kindOf<M>)) add(M{});
+    if constexpr (std::same_as<M, methods::Importance>)
+      add(methods::Importance{.mode = ImportanceMode::Average}, "average");
+  });
   return list;
 }
 

@@ -48,7 +48,7 @@ std::vector<glm::dvec2> anglesOfViews() {
 Scene withFocusOf(double grey, Scene scene) {
   const glm::dvec3 colour(grey);
   Look& look = scene.look;
-  look.method.wallOutlines = false;  // on slices, beside the body
+  look.method.of<methods::Walls>().outlines = false;  // on slices, beside the body
   look.focusAppearance.function.reset();
   look.focusAppearance.colour = colour;
   if (const auto* focus = std::get_if<LabelFocus>(&look.focus))

@@ -222,7 +222,7 @@ std::vector<QImage> drawn(const Row& row, const Sheet& sheet) {
   for (const Column& column : sheet.columns) {
     Scene scene = study.drawn.scene();
     column.apply(scene.look);
-    scene.look.method.peelSide = sideTowards(view.camera);
+    scene.look.method.of<methods::Peel>().side = sideTowards(view.camera);
     renderer.render(scene, view);
     const std::vector<std::uint8_t> pixels = renderer.readPicture();
     pictures.push_back(

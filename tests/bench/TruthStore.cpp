@@ -59,6 +59,7 @@ void addAppearance(Digest& digest, const Scene& scene) {
   };
   add(scene.look.focusAppearance);
   add(scene.look.method);
+  forEachMethod([&]<class M>() { add(scene.look.method.of<M>()); });
   add(scene.look.cutaway);
   add(scene.look.contextLayer);
   add(scene.look.shading);

@@ -97,6 +97,7 @@ TEST_F(CommandLine, OptionsOfSettingsAreAsDeclared) {
     });
   };
   check(Method{});
+  forEachMethod([&]<class M>() { check(M{}); });
   check(Cutaway{});
   check(ContextLayer{});
   check(Shading{});

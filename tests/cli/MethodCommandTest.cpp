@@ -105,7 +105,7 @@ TEST_F(MethodCommand, ASessionKeepsEach) {
     EXPECT_EQ(bytes("a.png"), bytes("b.png"));
   }
   const Method kept = io::readSession(at("work.fenestra")).look.method;
-  EXPECT_EQ(kept, (Method{.kind = MethodKind::ClearView, .lensFade = LensFade::Depth, .lensRadius = 50.0}));
+  EXPECT_EQ(kept, (methods::ClearView{.fade = LensFade::Depth, .radius = 50.0}));
 }
 
 TEST_F(MethodCommand, WallsShowTheSlicesOfASession) {

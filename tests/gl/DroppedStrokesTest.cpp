@@ -30,7 +30,7 @@ std::vector<Kind> kindsOfPictures() {
                           {"frozen, with occlusion", occluded(scene), frozen}};
   scene.look.edges = Edges::Smooth;
   kinds.push_back({"smooth edges", scene, view});
-  scene.look.method = {.kind = MethodKind::Walls, .wallPlacement = WallPlacement::Inside};
+  scene.look.method = methods::Walls{.placement = WallPlacement::Inside};
   scene.look.edges = Edges::Off;
   kinds.push_back({"walls", scene, view});
   return kinds;

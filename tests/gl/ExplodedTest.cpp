@@ -13,10 +13,8 @@ constexpr glm::ivec2 size{72, 64};
 Scene body(int planes, ExplosionAxes axes, double degree) {
   Scene scene = bodyWithOrgans<std::int16_t>(gridOf({40, 36, 34}, {1.0, 1.2, 0.9}, {-70.0, 300.0, 12.0}));
   scene.look.focus = LabelFocus{{1}};
-  scene.look.method = {.kind = MethodKind::Explode,
-                       .explosion = degree,
-                       .explosionPlanes = static_cast<ExplosionPlanes>(planes - 1),
-                       .explosionAxes = axes};
+  scene.look.method =
+      methods::Explode{.degree = degree, .planes = static_cast<ExplosionPlanes>(planes - 1), .axes = axes};
   return scene;
 }
 

@@ -437,33 +437,25 @@ TEST_P(HardCases, withEachMethod) {
   double limit = std::max(GetParam().colourLimit, worstOfOpened(shot));
   // At such a distance rounding tilts a cone's wall, whose normal is found from the rays' starts beside it.
   if (GetParam().name == std::string("aThousandKilometresAway")) limit = 4.1;
-  for (const Method& method :
-       {Method{.kind = MethodKind::Cone}, Method{.kind = MethodKind::Importance},
-        Method{.kind = MethodKind::Importance, .importance = ImportanceMode::Average, .importanceOpacity = 0.3},
-        Method{.kind = MethodKind::ClearView, .lensRadius = 40.0}, Method{.kind = MethodKind::ContextPreserving},
-        Method{.kind = MethodKind::FocalRegion, .focalSize = 4.0, .focalFallOff = 3.0},
-        Method{.kind = MethodKind::FocalRegion, .focalShape = FocalShape::Box, .focalSize = 1.5, .focalFallOff = 9.0},
-        Method{
-            .kind = MethodKind::FocalRegion, .focalShape = FocalShape::Distance, .focalSize = 1.5, .focalFallOff = 5.0},
-        Method{.kind = MethodKind::Walls}, Method{.kind = MethodKind::Walls, .wallPlacement = WallPlacement::Inside},
-        Method{.kind = MethodKind::Explode, .explosionPlanes = ExplosionPlanes::Three},
-        Method{.kind = MethodKind::Explode, .explosion = 1.0, .explosionAxes = ExplosionAxes::View},
-        Method{.kind = MethodKind::Peel},
-        Method{.kind = MethodKind::Peel,
-        .peel = 0.5,
-        .peelSide = PeelSide::Superior,
-        .peelRadius = 1.0,
-        .peelMargin = 1e5},
-        Method{.kind = MethodKind::Selection, .ghostEdge = 5.0}}) {
-    SCOPED_TRACE(std::string(wordOf(method.kind).word) + ", " + wordOf(method.importance).word);
+  for (const Method& method : std::initializer_list<Method>{
+           methods::Cone{}, methods::Importance{}, methods::Importance{.mode = ImportanceMode::Average, .opacity = 0.3},
+           methods::ClearView{.radius = 40.0}, methods::ContextPreserving{},
+           methods::FocalRegion{.size = 4.0, .fallOff = 3.0},
+           methods::FocalRegion{.shape = FocalShape::Box, .size = 1.5, .fallOff = 9.0},
+           methods::FocalRegion{.shape = FocalShape::Distance, .size = 1.5, .fallOff = 5.0}, methods::Walls{},
+           methods::Walls{.placement = WallPlacement::Inside}, methods::Explode{.planes = ExplosionPlanes::Three},
+           methods::Explode{.degree = 1.0, .axes = ExplosionAxes::View}, methods::Peel{},
+           methods::Peel{.amount = 0.5, .side = PeelSide::Superior, .radius = 1.0, .margin = 1e5},
+           methods::Selection{.edge = 5.0}}) {
+    SCOPED_TRACE(std::string(wordOf(method.kind).word) + ", " + wordOf(method.of<methods::Importance>().mode).word);
     shot.scene.look.method = method;
     // Where the context fades, normals lack the rounding of their texture, so the pixels that are off anyway are off by
     // another error: by that where next to nothing fades.
     double least = limit;
     if (stagesOf(method).fading) {
-      shot.scene.look.method.fadeReach = 1e-12;
-      shot.scene.look.method.focalSize = 1e5;
-      shot.scene.look.method.ghostStrength = 1e-12;
+      shot.scene.look.method.of<methods::ContextPreserving>().reach = 1e-12;
+      shot.scene.look.method.of<methods::FocalRegion>().size = 1e5;
+      shot.scene.look.method.of<methods::Selection>().strength = 1e-12;
       least = std::max(GetParam().colourLimit, worstOfOpened(shot));
       shot.scene.look.method = method;
     }

@@ -32,7 +32,7 @@ Scene organs(std::vector<std::uint16_t> focus, std::initializer_list<std::pair<s
   labels->labels = {{1, "one", {1.0, 0.4, 0.2}}, {2, "two", {0.2, 0.5, 1.0}}, {3, "three", {0.3, 0.9, 0.4}}};
   scene.labels = labels;
   scene.look.focus = LabelFocus{std::move(focus)};
-  scene.look.method = {.kind = MethodKind::Importance, .importance = mode, .importanceOpacity = 0.3};
+  scene.look.method = methods::Importance{.mode = mode, .opacity = 0.3};
   for (const auto& [label, level] : levels) put(scene.look.labels, {.label = label, .importance = level});
   return scene;
 }
@@ -240,7 +240,7 @@ TEST_F(ImportanceLevels, CostNothingWhereTheFocusIsTheOneLevel) {
     renderer.render(plain, view);
     expectPlain("what levels took is given back");
     Scene other = plain;
-    other.look.method.kind = MethodKind::Adaptive;
+    other.look.method.kind = kindOf<methods::Adaptive>;
     renderer.render(other, view);
     EXPECT_EQ(renderer.stats()[static_cast<std::size_t>(Pass::Importance)].runs, 1u);
   }
@@ -249,7 +249,7 @@ TEST_F(ImportanceLevels, CostNothingWhereTheFocusIsTheOneLevel) {
 TEST_F(ImportanceLevels, RunAgainWhatAChangeConcerns) {
   const Scene scene = organs({1, 2}, {{2, 1}});
   Scene wider = scene, recoloured = scene, lower = scene;
-  wider.look.method.importanceAngle = 40.0;
+  wider.look.method.of<methods::Importance>().angle = 40.0;
   put(recoloured.look.labels, {.label = 2, .colour = glm::dvec3(1.0, 1.0, 0.0), .importance = 1});
   put(lower.look.labels, {.label = 3, .importance = 1});
   const auto ran = runsOf({scene, wider, wider, scene, recoloured, lower});

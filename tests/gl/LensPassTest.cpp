@@ -22,7 +22,7 @@ Scene body(const Grid& grid) {
   scene.look.focus = LabelFocus{{1}};
   scene.look.context.function = opaqueFrom(200.0);
   scene.look.contextLayer.strength = 0.0;
-  scene.look.method.kind = MethodKind::ClearView;
+  scene.look.method.kind = kindOf<methods::ClearView>;
   return scene;
 }
 

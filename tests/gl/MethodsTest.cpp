@@ -146,7 +146,7 @@ TEST_F(Methods, FadesOfClearViewMatchAndDiffer) {
   std::vector<std::vector<glm::vec4>> pictures;
   for (const LensFade fade : {LensFade::Distance, LensFade::Curvature, LensFade::Depth}) {
     SCOPED_TRACE(wordOf(fade).word);
-    const Scene scene = hazyBody({.kind = MethodKind::ClearView, .lensFade = fade, .lensRadius = 20.0});
+    const Scene scene = hazyBody(methods::ClearView{.fade = fade, .radius = 20.0});
     const View view = viewOf(from(25, 15, scene).zoomed(3.0));
     expectMatches(scene, view);
     pictures.push_back(drawn(scene, view).final);
@@ -156,8 +156,7 @@ TEST_F(Methods, FadesOfClearViewMatchAndDiffer) {
 }
 
 TEST_F(Methods, ALensOverTheCrosshairMatchesAndMoves) {
-  const Scene scene =
-      hazyBody({.kind = MethodKind::ClearView, .lensPlace = LensPlace::OverCrosshair, .lensRadius = 20.0});
+  const Scene scene = hazyBody(methods::ClearView{.place = LensPlace::OverCrosshair, .radius = 20.0});
   View view = viewOf(from(25, 15, scene).zoomed(3.0));
   const std::vector<glm::vec4> overFocus = drawn(scene, view).final;
   view.slices.crosshair = scene.volume->grid.centre() + glm::dvec3(3.0, -2.0, 4.0);
@@ -170,8 +169,7 @@ TEST_F(Methods, ContextPreservingKeepsItsBoundAtAnySharpness) {
   for (const bool lit : {true, false})
     for (const glm::dvec2 parameters : {glm::dvec2(8.0, 0.3), glm::dvec2(10.0, 2.0)}) {
       SCOPED_TRACE(testing::Message() << lit << ", " << parameters.x << ", " << parameters.y);
-      Scene scene =
-          hazyBody({.kind = MethodKind::ContextPreserving, .fadeReach = parameters.x, .fadeSharpness = parameters.y});
+      Scene scene = hazyBody(methods::ContextPreserving{.reach = parameters.x, .sharpness = parameters.y});
       scene.look.shading.enabled = lit;
       for (TransferFunction::Node& node : scene.look.context.function.nodes) node.properties.extinction *= 10.0;
       expectMatches(scene, viewOf(from(25, 15, scene), 0.5));
@@ -186,17 +184,13 @@ TEST_F(Methods, FocalRegionsKeepTheirBoundAtAnySize) {
       for (const glm::dvec2 parameters : {glm::dvec2(0.3, 1e5), glm::dvec2(7.3, 0.4), glm::dvec2(60.0, 4.0)}) {
         SCOPED_TRACE(testing::Message() << lit << ", " << wordOf(shape).word << ", " << parameters.x << ", "
                                         << parameters.y);
-        Scene scene = hazyBody({.kind = MethodKind::FocalRegion,
-                                .focalShape = shape,
-                                .focalSize = parameters.x,
-                                .focalFallOff = parameters.y});
+        Scene scene = hazyBody(methods::FocalRegion{.shape = shape, .size = parameters.x, .fallOff = parameters.y});
         scene.look.shading.enabled = lit;
         for (TransferFunction::Node& node : scene.look.context.function.nodes) node.properties.extinction *= 10.0;
         expectMatches(scene, viewOf(from(25, 15, scene), 0.5));
       }
   for (const FocalShape shape : {FocalShape::Sphere, FocalShape::Distance}) {
-    Scene unfocused =
-        hazyBody({.kind = MethodKind::FocalRegion, .focalShape = shape, .focalSize = 7.0, .focalFallOff = 12.0});
+    Scene unfocused = hazyBody(methods::FocalRegion{.shape = shape, .size = 7.0, .fallOff = 12.0});
     unfocused.look.focus = {};
     expectMatches(unfocused, viewOf(from(25, 15, unfocused), 0.5));
   }
@@ -204,8 +198,7 @@ TEST_F(Methods, FocalRegionsKeepTheirBoundAtAnySize) {
 
 /// On a sheared grid, on one of a single voxel along an axis, and in a spline; while the focus changes, by value, too.
 TEST_F(Methods, FocalDistancesFollowTheGridAndTheFocus) {
-  const Method method{
-      .kind = MethodKind::FocalRegion, .focalShape = FocalShape::Distance, .focalSize = 2.5, .focalFallOff = 4.0};
+  const Method method = methods::FocalRegion{.shape = FocalShape::Distance, .size = 2.5, .fallOff = 4.0};
   Grid sheared = gridOf({26, 24, 18}, {0.7, 0.7, 1.6});
   sheared.direction[2] = glm::normalize(glm::dvec3(0.0, -0.33, 1.0));
   for (const Grid& grid : {sheared, gridOf({24, 1, 20}), gridOf({22, 24, 20}, {0.05, 0.05, 10.0}, {1e4, -1e4, 1e4})}) {
@@ -226,23 +219,21 @@ TEST_F(Methods, GhostsKeepTheirBoundAtAnyEdge) {
     for (const double width : {0.0, 12.0})
       for (const glm::dvec3 parameters : {glm::dvec3(1.0, 0.3, 0.0), glm::dvec3(0.7, 60.0, 1.0)}) {
         SCOPED_TRACE(testing::Message() << lit << ", " << width << ", " << parameters.x << ", " << parameters.y);
-        Scene scene = hazyBody({.kind = MethodKind::Selection,
-                                .ghostStrength = parameters.x,
-                                .ghostEdge = parameters.y,
-                                .ghostOutline = parameters.z});
+        Scene scene =
+            hazyBody(methods::Selection{.strength = parameters.x, .edge = parameters.y, .outline = parameters.z});
         scene.look.shading.enabled = lit;
         scene.look.cutaway.openWidth = width;
         for (TransferFunction::Node& node : scene.look.context.function.nodes) node.properties.extinction *= 10.0;
         expectMatches(scene, viewOf(from(25, 15, scene), 0.5));
       }
-  Scene unfocused = hazyBody({.kind = MethodKind::Selection}), plain = hazyBody({});
+  Scene unfocused = hazyBody(methods::Selection{}), plain = hazyBody({});
   unfocused.look.focus = plain.look.focus = {};
   const View view = viewOf(from(25, 15, plain));
   EXPECT_EQ(drawn(unfocused, view).final, drawn(plain, view).final) << "to the bit";
 }
 
 TEST_F(Methods, ASelectionHasSmoothEdges) {
-  Scene scene = hazyBody({.kind = MethodKind::Selection});
+  Scene scene = hazyBody(methods::Selection{});
   scene.look.edges = Edges::Smooth;
   const View view = viewOf(from(25, 15, scene));
   EXPECT_TRUE(hasSmoothEdges(scene.look, view));
@@ -297,7 +288,7 @@ TEST_F(Methods, FrozenAndWithAnAxisOffset) {
 }
 
 TEST_F(Methods, TheBorderFollowsTheRimOfWhatConesOpen) {
-  Scene scene = hazyBody({.kind = MethodKind::Cone});
+  Scene scene = hazyBody(methods::Cone{});
   scene.look.cutaway.borderWidth = 5.0;
   const View view = viewOf(from(25, 15, scene));
   const Layers layers = drawn(scene, view);
@@ -322,7 +313,7 @@ TEST_F(Methods, TheBorderFollowsTheRimOfWhatConesOpen) {
 /// The picture that ClearView should make of two others, without the context's edges: one in which nothing is removed,
 /// and the focus layer.
 TEST_F(Methods, ClearViewMixesThePictureAndTheOpenedOne) {
-  Scene scene = hazyBody({.kind = MethodKind::ClearView, .lensRadius = 45.0, .lensBends = 0.0, .lensRim = 1000.0});
+  Scene scene = hazyBody(methods::ClearView{.radius = 45.0, .bends = 0.0, .rim = 1000.0});
   scene.look.contextLayer.strength = 0.0;
   Scene closed = scene;
   closed.look.cutaway.enabled = false;
@@ -332,7 +323,7 @@ TEST_F(Methods, ClearViewMixesThePictureAndTheOpenedOne) {
   for (const Schedule schedule : {Schedule::Plain, Schedule::Llvmpipe}) {
     const Layers plain = drawn(closed, view, schedule);
     for (const double radius : {45.0, 1000.0}) {
-      scene.look.method.lensRadius = radius;
+      scene.look.method.of<methods::ClearView>().radius = radius;
       const Layers clear = drawn(scene, view, schedule);
       const double mm = 0.01 * radius * 40.0;
       std::size_t mixed = 0, off = 0;
@@ -368,7 +359,7 @@ std::set<std::string> Methods::runsOfLast(const std::vector<Scene>& scenes, cons
 }
 
 TEST_F(Methods, ReRunOnlyWhatAChangeReaches) {
-  const Scene scene = hazyBody({.kind = MethodKind::Cone});
+  const Scene scene = hazyBody(methods::Cone{});
   const View view = viewOf(from(25, 15, scene));
   const auto after = [&](const Scene& first, auto&& change) {
     Scene changed = first;
@@ -376,55 +367,73 @@ TEST_F(Methods, ReRunOnlyWhatAChangeReaches) {
     return runsOfLast({first, changed}, view);
   };
   const std::set<std::string> cut{"cones", "distance map", "ray start", "focus layer", "composite"};
-  EXPECT_EQ(after(scene, [](Scene& s) { s.look.method.coneAngle = 50.0; }), cut);
+  EXPECT_EQ(after(scene, [](Scene& s) { s.look.method.of<methods::Cone>().angle = 50.0; }), cut);
   EXPECT_EQ(after(scene, [](Scene& s) { s.look.cutaway.openWidth += 9.0; }), std::set<std::string>());
-  EXPECT_EQ(after(scene, [](Scene& s) { s.look.method.importanceAngle = 50.0; }), std::set<std::string>());
+  EXPECT_EQ(after(scene, [](Scene& s) { s.look.method.of<methods::Importance>().angle = 50.0; }),
+            std::set<std::string>());
   EXPECT_EQ(after(scene, [](Scene& s) { s.look.cutaway.borderWidth += 1.0; }), std::set<std::string>{"composite"});
-  const Scene faint = hazyBody({.kind = MethodKind::Importance, .importance = ImportanceMode::Average});
-  EXPECT_EQ(after(faint, [](Scene& s) { s.look.method.importanceOpacity = 0.5; }), std::set<std::string>{"composite"});
-  EXPECT_EQ(after(faint, [](Scene& s) { s.look.method.sparseness = Sparseness::ScreenDoor; }),
+  const Scene faint = hazyBody(methods::Importance{.mode = ImportanceMode::Average});
+  EXPECT_EQ(after(faint, [](Scene& s) { s.look.method.of<methods::Importance>().opacity = 0.5; }),
             std::set<std::string>{"composite"});
-  const Scene clear = hazyBody({.kind = MethodKind::ClearView});
-  for (double Method::*number : {&Method::lensRadius, &Method::lensBends, &Method::lensRim}) {
-    EXPECT_EQ(after(clear, [=](Scene& s) { s.look.method.*number *= 1.5; }), std::set<std::string>{"composite"});
-    EXPECT_EQ(after(scene, [=](Scene& s) { s.look.method.*number *= 1.5; }), std::set<std::string>());
+  EXPECT_EQ(after(faint, [](Scene& s) { s.look.method.of<methods::Importance>().sparseness = Sparseness::ScreenDoor; }),
+            std::set<std::string>{"composite"});
+  const Scene clear = hazyBody(methods::ClearView{});
+  for (double methods::ClearView::*number :
+       {&methods::ClearView::radius, &methods::ClearView::bends, &methods::ClearView::rim}) {
+    EXPECT_EQ(after(clear, [=](Scene& s) { s.look.method.of<methods::ClearView>().*number *= 1.5; }),
+              std::set<std::string>{"composite"});
+    EXPECT_EQ(after(scene, [=](Scene& s) { s.look.method.of<methods::ClearView>().*number *= 1.5; }),
+              std::set<std::string>());
   }
-  EXPECT_EQ(after(clear, [](Scene& s) { s.look.method.lensFade = LensFade::Depth; }),
+  EXPECT_EQ(after(clear, [](Scene& s) { s.look.method.of<methods::ClearView>().fade = LensFade::Depth; }),
             std::set<std::string>{"composite"});
   EXPECT_EQ(after(clear, [](Scene& s) { s.look.cutaway.borderWidth += 4.0; }), std::set<std::string>());
-  EXPECT_EQ(after(faint, [](Scene& s) { s.look.method.kind = MethodKind::ClearView; }),
+  EXPECT_EQ(after(faint, [](Scene& s) { s.look.method.kind = kindOf<methods::ClearView>; }),
             (std::set<std::string>{"lens", "composite"}));
-  const Scene faded = hazyBody({.kind = MethodKind::ContextPreserving});
-  for (double Method::*number : {&Method::fadeReach, &Method::fadeSharpness}) {
-    EXPECT_EQ(after(faded, [=](Scene& s) { s.look.method.*number *= 1.5; }), std::set<std::string>{"focus layer"});
-    EXPECT_EQ(after(scene, [=](Scene& s) { s.look.method.*number *= 1.5; }), std::set<std::string>());
+  const Scene faded = hazyBody(methods::ContextPreserving{});
+  for (double methods::ContextPreserving::*number :
+       {&methods::ContextPreserving::reach, &methods::ContextPreserving::sharpness}) {
+    EXPECT_EQ(after(faded, [=](Scene& s) { s.look.method.of<methods::ContextPreserving>().*number *= 1.5; }),
+              std::set<std::string>{"focus layer"});
+    EXPECT_EQ(after(scene, [=](Scene& s) { s.look.method.of<methods::ContextPreserving>().*number *= 1.5; }),
+              std::set<std::string>());
   }
-  const Scene around = hazyBody({.kind = MethodKind::FocalRegion, .focalSize = 7.0, .focalFallOff = 12.0});
-  for (double Method::*number : {&Method::focalSize, &Method::focalFallOff}) {
-    EXPECT_EQ(after(around, [=](Scene& s) { s.look.method.*number *= 1.5; }), std::set<std::string>{"focus layer"});
-    EXPECT_EQ(after(faded, [=](Scene& s) { s.look.method.*number *= 1.5; }), std::set<std::string>());
-    EXPECT_EQ(after(scene, [=](Scene& s) { s.look.method.*number *= 1.5; }), std::set<std::string>());
+  const Scene around = hazyBody(methods::FocalRegion{.size = 7.0, .fallOff = 12.0});
+  for (double methods::FocalRegion::*number : {&methods::FocalRegion::size, &methods::FocalRegion::fallOff}) {
+    EXPECT_EQ(after(around, [=](Scene& s) { s.look.method.of<methods::FocalRegion>().*number *= 1.5; }),
+              std::set<std::string>{"focus layer"});
+    EXPECT_EQ(after(faded, [=](Scene& s) { s.look.method.of<methods::FocalRegion>().*number *= 1.5; }),
+              std::set<std::string>());
+    EXPECT_EQ(after(scene, [=](Scene& s) { s.look.method.of<methods::FocalRegion>().*number *= 1.5; }),
+              std::set<std::string>());
   }
-  EXPECT_EQ(after(around, [](Scene& s) { s.look.method.focalShape = FocalShape::Box; }),
+  EXPECT_EQ(after(around, [](Scene& s) { s.look.method.of<methods::FocalRegion>().shape = FocalShape::Box; }),
             std::set<std::string>{"focus layer"});
-  EXPECT_EQ(after(around, [](Scene& s) { s.look.method.focalShape = FocalShape::Distance; }),
+  EXPECT_EQ(after(around, [](Scene& s) { s.look.method.of<methods::FocalRegion>().shape = FocalShape::Distance; }),
             std::set<std::string>{"focus layer"});
-  EXPECT_EQ(after(around, [](Scene& s) { s.look.method.fadeReach *= 2.0; }), std::set<std::string>());
-  const Scene exploded = hazyBody({.kind = MethodKind::Explode});
-  for (const Scene& first : {exploded, faded, scene}) {
-    const std::set<std::string> reached =
-        first.look.method.kind == MethodKind::Explode ? std::set<std::string>{"focus layer"} : std::set<std::string>();
-    EXPECT_EQ(after(first, [](Scene& s) { s.look.method.explosion = 0.2; }), reached);
-    EXPECT_EQ(after(first, [](Scene& s) { s.look.method.explosionPlanes = ExplosionPlanes::One; }), reached);
-    EXPECT_EQ(after(first, [](Scene& s) { s.look.method.explosionAxes = ExplosionAxes::View; }), reached);
-  }
-  EXPECT_EQ(after(exploded, [](Scene& s) { s.look.cutaway.openWidth = s.look.method.fadeReach = 9.0; }),
+  EXPECT_EQ(after(around, [](Scene& s) { s.look.method.of<methods::ContextPreserving>().reach *= 2.0; }),
             std::set<std::string>());
-  const Scene ghost = hazyBody({.kind = MethodKind::Selection});
-  for (double Method::*number : {&Method::ghostStrength, &Method::ghostEdge, &Method::ghostOutline}) {
-    EXPECT_EQ(after(ghost, [=](Scene& s) { s.look.method.*number *= 0.5; }),
+  const Scene exploded = hazyBody(methods::Explode{});
+  for (const Scene& first : {exploded, faded, scene}) {
+    const std::set<std::string> reached = first.look.method.kind == kindOf<methods::Explode>
+                                              ? std::set<std::string>{"focus layer"}
+                                              : std::set<std::string>();
+    EXPECT_EQ(after(first, [](Scene& s) { s.look.method.of<methods::Explode>().degree = 0.2; }), reached);
+    EXPECT_EQ(after(first, [](Scene& s) { s.look.method.of<methods::Explode>().planes = ExplosionPlanes::One; }),
+              reached);
+    EXPECT_EQ(after(first, [](Scene& s) { s.look.method.of<methods::Explode>().axes = ExplosionAxes::View; }), reached);
+  }
+  EXPECT_EQ(
+      after(exploded,
+            [](Scene& s) { s.look.cutaway.openWidth = s.look.method.of<methods::ContextPreserving>().reach = 9.0; }),
+      std::set<std::string>());
+  const Scene ghost = hazyBody(methods::Selection{});
+  for (double methods::Selection::*number :
+       {&methods::Selection::strength, &methods::Selection::edge, &methods::Selection::outline}) {
+    EXPECT_EQ(after(ghost, [=](Scene& s) { s.look.method.of<methods::Selection>().*number *= 0.5; }),
               (std::set<std::string>{"focus layer", "composite"}));
-    EXPECT_EQ(after(scene, [=](Scene& s) { s.look.method.*number *= 0.5; }), std::set<std::string>());
+    EXPECT_EQ(after(scene, [=](Scene& s) { s.look.method.of<methods::Selection>().*number *= 0.5; }),
+              std::set<std::string>());
   }
   EXPECT_EQ(after(faded, [](Scene& s) { s.look.cutaway.openWidth = s.look.cutaway.borderWidth = 9.0; }),
             std::set<std::string>());
@@ -446,16 +455,19 @@ TEST_F(Methods, WallsReRunAlone) {
       if (renderer.stats()[pass].runs > before[pass].runs) names.emplace(nameOf(static_cast<Pass>(pass)));
     return names;
   };
-  const Scene around = hazyBody({.kind = MethodKind::Walls});
-  const Scene inside = hazyBody({.kind = MethodKind::Walls, .wallPlacement = WallPlacement::Inside});
+  const Scene around = hazyBody(methods::Walls{});
+  const Scene inside = hazyBody(methods::Walls{.placement = WallPlacement::Inside});
   const auto move = [](Scene& scene, View& view) { view.slices.crosshair = scene.volume->grid.centre() + 3.0; };
   const auto widen = [](Scene&, View& view) { view.slices.window = WindowLevel{70.0, 50.0}; };
   EXPECT_EQ(after(around, move), Names{"walls"});
   EXPECT_EQ(after(around, widen), Names{"walls"});
   EXPECT_EQ(after(inside, move), (Names{"walls", "composite"}));
   EXPECT_EQ(after(inside, widen), (Names{"walls", "composite"}));
-  for (bool Method::*which : {&Method::wallAxial, &Method::wallSagittal, &Method::wallCoronal, &Method::wallOutlines})
-    EXPECT_TRUE(after(around, [=](Scene& scene, View&) { scene.look.method.*which = false; }).contains("walls"));
+  for (bool methods::Walls::*which :
+       {&methods::Walls::axial, &methods::Walls::sagittal, &methods::Walls::coronal, &methods::Walls::outlines})
+    EXPECT_TRUE(after(around, [=](Scene& scene, View&) {
+                  scene.look.method.of<methods::Walls>().*which = false;
+                }).contains("walls"));
   EXPECT_EQ(
       after(around, [](Scene& scene, View&) { put(scene.look.labels, {.label = 1, .visible = false}); }).count("walls"),
       1u);
@@ -467,29 +479,16 @@ TEST_F(Methods, AMethodThatIsNotInUseCostsNothing) {
   const Scene scene = hazyBody({});
   const View view = viewOf(from(25, 15, scene));
   Scene others = scene;
-  others.look.method = {.coneAngle = 70.0,
-                        .importance = ImportanceMode::Average,
-                        .importanceAngle = 40.0,
-                        .importanceOpacity = 0.9,
-                        .sparseness = Sparseness::Colour,
-                        .lensFade = LensFade::Depth,
-                        .lensRadius = 70.0,
-                        .lensBends = 3.0,
-                        .lensRim = 9.0,
-                        .fadeReach = 7.0,
-                        .fadeSharpness = 1.5,
-                        .focalShape = FocalShape::Box,
-                        .focalSize = 4.0,
-                        .focalFallOff = 3.0,
-                        .wallPlacement = WallPlacement::Inside,
-                        .wallAxial = false,
-                        .wallOutlines = false,
-                        .explosion = 0.9,
-                        .explosionPlanes = ExplosionPlanes::Three,
-                        .explosionAxes = ExplosionAxes::View,
-                        .ghostStrength = 0.3,
-                        .ghostEdge = 40.0,
-                        .ghostOutline = 0.9};
+  Method& unused = others.look.method;
+  unused.of<methods::Cone>() = {.angle = 70.0};
+  unused.of<methods::Importance>() = {
+      .mode = ImportanceMode::Average, .angle = 40.0, .opacity = 0.9, .sparseness = Sparseness::Colour};
+  unused.of<methods::ClearView>() = {.fade = LensFade::Depth, .radius = 70.0, .bends = 3.0, .rim = 9.0};
+  unused.of<methods::ContextPreserving>() = {.reach = 7.0, .sharpness = 1.5};
+  unused.of<methods::FocalRegion>() = {.shape = FocalShape::Box, .size = 4.0, .fallOff = 3.0};
+  unused.of<methods::Walls>() = {.placement = WallPlacement::Inside, .axial = false, .outlines = false};
+  unused.of<methods::Explode>() = {.degree = 0.9, .planes = ExplosionPlanes::Three, .axes = ExplosionAxes::View};
+  unused.of<methods::Selection>() = {.strength = 0.3, .edge = 40.0, .outline = 0.9};
   View other = view;
   other.slices = {scene.volume->grid.centre() + 5.0, WindowLevel{9.0, 8.0}, true};
   Renderer renderer(gpuWith(Schedule::Plain)), fresh(gpuWith(Schedule::Plain));
@@ -528,21 +527,21 @@ TEST_F(Methods, ChangesLeaveNothingBehind) {
     expectFresh(brushed(scene), view, name + ", a stroke");
     expectFresh(scene, frozen, name + ", frozen");
     expectFresh(brushed(scene), frozen, name + ", a stroke, frozen");
-    scene.look.method.coneAngle = scene.look.method.importanceAngle = 55.0;
-    scene.look.method.importanceOpacity = 0.6;
-    scene.look.method.lensRadius = 30.0;
-    scene.look.method.fadeReach = 5.0;
-    scene.look.method.focalSize = 9.0;
-    scene.look.method.wallSagittal = false;
-    scene.look.method.explosion = 0.8;
-    scene.look.method.ghostStrength = 0.4;
+    scene.look.method.of<methods::Cone>().angle = scene.look.method.of<methods::Importance>().angle = 55.0;
+    scene.look.method.of<methods::Importance>().opacity = 0.6;
+    scene.look.method.of<methods::ClearView>().radius = 30.0;
+    scene.look.method.of<methods::ContextPreserving>().reach = 5.0;
+    scene.look.method.of<methods::FocalRegion>().size = 9.0;
+    scene.look.method.of<methods::Walls>().sagittal = false;
+    scene.look.method.of<methods::Explode>().degree = 0.8;
+    scene.look.method.of<methods::Selection>().strength = 0.4;
     expectFresh(scene, view, name + ", other parameters");
     View moved = view;
     moved.slices.crosshair = scene.volume->grid.centre() - 4.0;
     expectFresh(scene, moved, name + ", another crosshair");
     expectFresh(withProtected(scene), view, name + ", a protected label");
     scene.look.cutaway.openWidth = 20.0;
-    scene.look.method.kind = MethodKind::Adaptive;
+    scene.look.method.kind = kindOf<methods::Adaptive>;
     expectFresh(scene, view, name + ", then the adaptive cutaway");
     scene.look.cutaway.enabled = false;
     expectFresh(scene, view, name + ", then none");
@@ -573,7 +572,7 @@ TEST_F(Methods, CutFacesOfConesAreLitByTheConesNormal) {
   scene.look.shading.ambient = scene.look.shading.specular = 0.0;
   scene.look.shading.diffuse = 1.0;
   scene.look.shading.lightAzimuth = 50.0;
-  scene.look.method = {.kind = MethodKind::Cone, .coneAngle = 40.0};
+  scene.look.method = methods::Cone{.angle = 40.0};
   const Camera camera = Camera::standard(StandardView::Anterior, grid, Projection::Orthographic);
   View view = viewOf(camera, 0.5);
   view.size = {200, 200};

@@ -14,8 +14,7 @@ constexpr glm::ivec2 size{64, 56};
 Scene body(const Focus& focus, double amount, PeelSide side = PeelSide::Anterior) {
   Scene scene = bodyWithOrgans<std::int16_t>(gridOf({40, 36, 34}, {1.0, 1.2, 0.9}, {-70.0, 300.0, 12.0}));
   scene.look.focus = focus;
-  scene.look.method = {
-      .kind = MethodKind::Peel, .peel = amount, .peelSide = side, .peelRadius = 5.0, .peelMargin = 3.0};
+  scene.look.method = methods::Peel{.amount = amount, .side = side, .radius = 5.0, .margin = 3.0};
   return scene;
 }
 
@@ -105,7 +104,7 @@ TEST_F(Peeled, NothingPeeledIsThePlainPictureToTheBitAndCostsNothing) {
   // Back from a peeled one, the volume is the scene's own again.
   const Scene scene = body(LabelFocus{{1}}, 0.6);
   Scene plain = scene;
-  plain.look.method.peel = 0.0;
+  plain.look.method.of<methods::Peel>().amount = 0.0;
   const View view = viewOf(scene, 35.0, 20.0);
   Renderer renderer(gpu());
   renderer.render(plain, view);
@@ -128,10 +127,10 @@ TEST_F(Peeled, OnlyWhatTheLayerDependsOnIsMadeAgain) {
   Scene changed = scene;
   changed.look.shading.ambient = 0.9;
   changed.look.cutaway.openWidth = 90.0;
-  changed.look.method.explosion = 0.9;
+  changed.look.method.of<methods::Explode>().degree = 0.9;
   renderer.render(changed, viewOf(scene, 40.0, 20.0));
   EXPECT_EQ(gpu()->versions(), before);
-  changed.look.method.peelRadius = 9.0;
+  changed.look.method.of<methods::Peel>().radius = 9.0;
   renderer.render(changed, view);
   EXPECT_NE(gpu()->versions().volume, before.volume);
 }
@@ -179,8 +178,8 @@ TEST_F(Peeled, PicksAreOfTheVolumeAndShowWhereTheyWerePicked) {
 /// Seen along its axis, nothing lies before the focus: its first hits are those of the focus alone.
 TEST_F(Peeled, TheFocusShowsWholeFromItsSide) {
   Scene scene = body(LabelFocus{{1}}, 1.0);
-  scene.look.method.peelDepth = 1.0;
-  scene.look.method.peelMargin = 1.0;
+  scene.look.method.of<methods::Peel>().depth = 1.0;
+  scene.look.method.of<methods::Peel>().margin = 1.0;
   View view = viewOf(scene, 0.0, 0.0);
   view.camera = Camera::standard(StandardView::Anterior, scene.volume->grid, Projection::Orthographic);
   Renderer renderer(gpu());

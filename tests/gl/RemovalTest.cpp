@@ -80,8 +80,7 @@ double perMilleOff(const std::vector<glm::vec4>& picture, const std::vector<glm:
 }
 
 TEST_F(RemovalTest, AreTheReferencesWithEveryFocusAndMethod) {
-  const std::vector<Method> methods{
-      {}, {.kind = MethodKind::Sculpt}, {.kind = MethodKind::Bend}, {.kind = MethodKind::Cone}};
+  const std::vector<Method> methods{{}, methods::Sculpt{}, methods::Bend{}, methods::Cone{}};
   for (const Focus& focus : focuses())
     for (const Method& method : methods) {
       SCOPED_TRACE(std::string(wordOf(method.kind).word) + ", focus " + std::to_string(focus.index()));
@@ -97,7 +96,7 @@ TEST_F(RemovalTest, AreTheReferencesWithEveryFocusAndMethod) {
 }
 
 TEST_F(RemovalTest, AreTheReferencesWithASpline) {
-  Scene scene = carvedBody(LabelFocus{{1}}, {.kind = MethodKind::Sculpt});
+  Scene scene = carvedBody(LabelFocus{{1}}, methods::Sculpt{});
   scene.look.reconstruction = Reconstruction::Smooth;
   scene = Sculptor().of(scene);
   Renderer renderer(gpu());
@@ -156,8 +155,8 @@ TEST_F(RemovalTest, ComeBackToTheBitAndCostNothingWhereThereAreNone) {
 
 TEST_F(RemovalTest, OfEverythingLeaveNothing) {
   for (const Focus& focus : focuses())
-    for (const MethodKind kind : {MethodKind::Adaptive, MethodKind::Sculpt, MethodKind::Importance}) {
-      Scene scene = carvedBody(focus, {.kind = kind});
+    for (const MethodKind kind : {kindOf<methods::Adaptive>, kindOf<methods::Sculpt>, kindOf<methods::Importance>}) {
+      Scene scene = carvedBody(focus, Method(kind));
       scene.look.removals.resize(1);
       scene.look.removals[0].size = 1000.0;
       Renderer renderer(gpu());

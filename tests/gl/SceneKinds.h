@@ -1,14 +1,15 @@
 #pragma once
 // Small scenes that between them use every variant of every shader.
 
+#include <algorithm>
 #include <array>
 #include <string>
 #include <vector>
 
 #include "rendering/Renderer.h"
 #include "rendering/gl/Context.h"
+#include "rendering/methods/Method.h"
 #include "rendering/scene/FaintLabels.h"
-#include "rendering/settings/SettingWords.h"
 #include "tests/support/Scenes.h"
 
 namespace fenestra::tests {
@@ -116,40 +117,39 @@ inline Scene occluded(Scene scene) {
 /// Every way of another method than the adaptive cutaway to open a body, by name.
 inline std::vector<std::pair<std::string, Method>> otherMethods() {
   const auto average = [](Sparseness sparseness) {
-    return Method{.kind = MethodKind::Importance,
-                  .importance = ImportanceMode::Average,
-                  .importanceOpacity = 0.3,
-                  .sparseness = sparseness};
+    return methods::Importance{.mode = ImportanceMode::Average, .opacity = 0.3, .sparseness = sparseness};
   };
   // The bodies are small: lenses of several radii, whose lines run through the picture in different places.
   const auto lens = [](LensFade fade, double radius) {
-    return Method{
-        .kind = MethodKind::ClearView, .lensFade = fade, .lensRadius = radius, .lensBends = 0.7, .lensRim = 8.0};
+    return methods::ClearView{.fade = fade, .radius = radius, .bends = 0.7, .rim = 8.0};
   };
-  return {
-      {"cone", {.kind = MethodKind::Cone}},
-      {"maximum importance", {.kind = MethodKind::Importance}},
+  std::vector<std::pair<std::string, Method>> list{
+      {"cone", methods::Cone{}},
+      {"maximum importance", methods::Importance{}},
       {"average importance", average(Sparseness::Opacity)},
       {"ClearView", lens(LensFade::Distance, 45.0)},
-      {"context-preserving", {.kind = MethodKind::ContextPreserving}},
-      {"focal sphere", {.kind = MethodKind::FocalRegion, .focalSize = 7.0, .focalFallOff = 12.0}},
-      {"walls around", {.kind = MethodKind::Walls}},
-      {"walls inside", {.kind = MethodKind::Walls, .wallPlacement = WallPlacement::Inside}},
-      {"exploded", {.kind = MethodKind::Explode, .explosion = 0.6, .explosionPlanes = ExplosionPlanes::Three}},
-      {"ghosted selection",
-       {.kind = MethodKind::Selection, .ghostStrength = 0.9, .ghostEdge = 8.0, .ghostOutline = 0.6}},
+      {"context-preserving", methods::ContextPreserving{}},
+      {"focal sphere", methods::FocalRegion{.size = 7.0, .fallOff = 12.0}},
+      {"walls around", methods::Walls{}},
+      {"walls inside", methods::Walls{.placement = WallPlacement::Inside}},
+      {"exploded", methods::Explode{.degree = 0.6, .planes = ExplosionPlanes::Three}},
+      {"ghosted selection", methods::Selection{.strength = 0.9, .edge = 8.0, .outline = 0.6}},
       {"average importance, grey", average(Sparseness::Colour)},
       {"average importance, screen door", average(Sparseness::ScreenDoor)},
       {"ClearView, bends alone", lens(LensFade::Curvature, 25.0)},
       {"ClearView, with depth", lens(LensFade::Depth, 35.0)},
-      {"focal box",
-       {.kind = MethodKind::FocalRegion, .focalShape = FocalShape::Box, .focalSize = 6.0, .focalFallOff = 9.0}},
-      {"focal distance",
-       {.kind = MethodKind::FocalRegion, .focalShape = FocalShape::Distance, .focalSize = 3.0, .focalFallOff = 9.0}},
-      {"exploded along the view",
-       {.kind = MethodKind::Explode, .explosion = 0.4, .explosionAxes = ExplosionAxes::View}},
-      {"sculpting, with nothing carved", {.kind = MethodKind::Sculpt}},
-      {"peeled", {.kind = MethodKind::Peel, .peel = 0.7, .peelRadius = 4.0, .peelMargin = 2.0}}};
+      {"focal box", methods::FocalRegion{.shape = FocalShape::Box, .size = 6.0, .fallOff = 9.0}},
+      {"focal distance", methods::FocalRegion{.shape = FocalShape::Distance, .size = 3.0, .fallOff = 9.0}},
+      {"exploded along the view", methods::Explode{.degree = 0.4, .axes = ExplosionAxes::View}},
+      {"sculpting, with nothing carved", methods::Sculpt{}},
+      {"peeled", methods::Peel{.amount = 0.7, .radius = 4.0, .margin = 2.0}}};
+  // Others are here by being in the list of methods, but for those that open nothing without a user's hand.
+  forEachMethod([&]<class M>() {
+    const bool listed =
+        std::any_of(list.begin(), list.end(), [](const auto& each) { return each.second.template is<M>(); });
+    if (!listed && kindOf<M> != MethodKind{} && !carves(kindOf<M>)) list.push_back({M::word, M{}});
+  });
+  return list;
 }
 
 /// A body whose second organ is less important than the first one, in focus or not.
@@ -157,7 +157,7 @@ inline Scene levelled(Scene scene, ImportanceMode mode) {
   LabelSetting second = settingFor(scene.look.labels, 2);
   second.importance = 1;
   put(scene.look.labels, second);
-  scene.look.method = {.kind = MethodKind::Importance, .importance = mode, .importanceOpacity = 0.3};
+  scene.look.method = methods::Importance{.mode = mode, .opacity = 0.3};
   return scene;
 }
 
@@ -275,7 +275,7 @@ inline std::vector<SceneKind> allSceneKinds() {
   for (std::size_t i = 0, all = kinds.size(); i < all; i += 11) {
     if (!kinds[i].scene.look.cutaway.enabled || hasCutaway(kinds[i].scene)) continue;
     kinds.push_back({kinds[i].name + ", walls around", kinds[i].scene, kinds[i].view});
-    kinds.back().scene.look.method = {.kind = MethodKind::Walls};
+    kinds.back().scene.look.method = methods::Walls{};
     kinds.back().view.slices = {.crosshair = glm::dvec3(5.0, 9.0, 14.0), .window = WindowLevel{90.0, 80.0}};
   }
   // A context that fades or is exploded needs no focus.
@@ -283,9 +283,10 @@ inline std::vector<SceneKind> allSceneKinds() {
     const Look& look = kinds[i].scene.look;
     if (!look.cutaway.enabled || !std::holds_alternative<std::monostate>(look.focus)) continue;
     const MethodKind kind =
-        std::array{MethodKind::ContextPreserving, MethodKind::FocalRegion, MethodKind::Explode}[i % 3];
+        std::array{kindOf<methods::ContextPreserving>, kindOf<methods::FocalRegion>, kindOf<methods::Explode>}[i % 3];
     kinds.push_back({kinds[i].name + ", " + wordOf(kind).word, kinds[i].scene, kinds[i].view});
-    kinds.back().scene.look.method = {.kind = kind, .focalSize = 8.0};
+    kinds.back().scene.look.method = Method(kind);
+    kinds.back().scene.look.method.of<methods::FocalRegion>().size = 8.0;
   }
   // Smooth edges with whatever else makes a program another one; drafts have none.
   for (std::size_t i = 0, all = kinds.size(); i < all; ++i)

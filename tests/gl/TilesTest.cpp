@@ -34,20 +34,16 @@ const std::vector<Change> changes{
     {"stronger edges", [](Scene& scene, View&) { scene.look.contextLayer.strength = 0.9; }},
     {"no cutaway", [](Scene& scene, View&) { scene.look.cutaway.enabled = false; }},
     {"draft", [](Scene&, View& view) { view.quality = Quality::Draft; }},
-    {"ClearView", [](Scene& scene, View&) { scene.look.method.kind = MethodKind::ClearView; }},
-    {"context-preserving", [](Scene& scene, View&) { scene.look.method.kind = MethodKind::ContextPreserving; }},
+    {"ClearView", [](Scene& scene, View&) { scene.look.method.kind = kindOf<methods::ClearView>; }},
+    {"context-preserving", [](Scene& scene, View&) { scene.look.method.kind = kindOf<methods::ContextPreserving>; }},
     {"focal region",
-     [](Scene& scene, View&) {
-       scene.look.method = {.kind = MethodKind::FocalRegion, .focalSize = 5.0, .focalFallOff = 5.0};
-     }},
-    {"walls around", [](Scene& scene, View&) { scene.look.method.kind = MethodKind::Walls; }},
+     [](Scene& scene, View&) { scene.look.method = methods::FocalRegion{.size = 5.0, .fallOff = 5.0}; }},
+    {"walls around", [](Scene& scene, View&) { scene.look.method.kind = kindOf<methods::Walls>; }},
     {"walls inside",
-     [](Scene& scene, View&) {
-       scene.look.method = {.kind = MethodKind::Walls, .wallPlacement = WallPlacement::Inside};
-     }},
-    {"exploded", [](Scene& scene, View&) { scene.look.method.kind = MethodKind::Explode; }},
-    {"peeled", [](Scene& scene, View&) { scene.look.method.kind = MethodKind::Peel; }},
-    {"ghosted selection", [](Scene& scene, View&) { scene.look.method.kind = MethodKind::Selection; }},
+     [](Scene& scene, View&) { scene.look.method = methods::Walls{.placement = WallPlacement::Inside}; }},
+    {"exploded", [](Scene& scene, View&) { scene.look.method.kind = kindOf<methods::Explode>; }},
+    {"peeled", [](Scene& scene, View&) { scene.look.method.kind = kindOf<methods::Peel>; }},
+    {"ghosted selection", [](Scene& scene, View&) { scene.look.method.kind = kindOf<methods::Selection>; }},
     {"smooth edges", [](Scene& scene, View&) { scene.look.edges = Edges::Smooth; }},
 };
 

@@ -25,7 +25,7 @@ Scene slicesOf(const Grid& grid, WallPlacement placement) {
   labels->labels = {{1, "one", {1.0, 0.4, 0.2}}, {2, "two", {0.2, 0.5, 1.0}}};
   scene.labels = labels;
   scene.look.focus = LabelFocus{{1}};
-  scene.look.method = {.kind = MethodKind::Walls, .wallPlacement = placement};
+  scene.look.method = methods::Walls{.placement = placement};
   return scene;
 }
 
@@ -85,7 +85,7 @@ class WallPassTest : public GlTest {
  protected:
   /// Returns the share of pixels with a wall.
   static double expectMatches(const Scene& scene, const Camera& camera, const ShownSlices& slices, double tolerance) {
-    const bool inside = scene.look.method.wallPlacement == WallPlacement::Inside;
+    const bool inside = scene.look.method.of<methods::Walls>().placement == WallPlacement::Inside;
     const Made made = madeOpening(camera, scene.volume->grid);
     const std::vector<glm::vec4> picture = madePicture();
     const std::vector<glm::dvec4> walls = truthOf(scene, camera, slices, inside ? &made : nullptr);
@@ -166,12 +166,12 @@ TEST_F(WallPassTest, BrightAndDarkAndOfSingleSlices) {
   Scene scene = slicesOf<std::uint8_t>(grid, WallPlacement::Around);
   const Camera camera = Camera::fromAngles(35.0, 25.0, grid);
   expectMatches(scene, camera, {.inverted = true}, tolerance);
-  scene.look.method.wallAxial = scene.look.method.wallOutlines = false;
+  scene.look.method.of<methods::Walls>().axial = scene.look.method.of<methods::Walls>().outlines = false;
   const double two = expectMatches(scene, camera, {}, tolerance);
-  scene.look.method.wallCoronal = false;
+  scene.look.method.of<methods::Walls>().coronal = false;
   const double one = expectMatches(scene, camera, {}, tolerance);
   EXPECT_LT(one, two);
-  scene.look.method.wallSagittal = false;
+  scene.look.method.of<methods::Walls>().sagittal = false;
   EXPECT_EQ(expectMatches(scene, camera, {}, tolerance), 0.0) << "none is on";
 }
 

@@ -369,10 +369,10 @@ TEST_F(FreshBrush, SaysWhyEdgesDoNotChange) {
 }
 
 TEST_F(FreshBrush, SaysThatTheMethodCutsNothing) {
-  edit([](Look& look) { look.method.kind = MethodKind::ContextPreserving; });
+  edit([](Look& look) { look.method.kind = kindOf<methods::ContextPreserving>; });
   EXPECT_EQ(obstacleAt(onMarker()), BrushObstacle::NothingIsCut);
   space();
-  EXPECT_EQ(document().look().method.kind, MethodKind::Adaptive);
+  EXPECT_EQ(document().look().method.kind, kindOf<methods::Adaptive>);
   EXPECT_EQ(obstacleAt(onMarker()), std::nullopt);
 }
 

@@ -25,7 +25,7 @@ class CarveWindow : public Window {
     if (HasFatalFailure() || IsSkipped()) return;
     setAutomatic(false);
     document().focusOn(marker);
-    use(MethodKind::Sculpt);
+    use(kindOf<methods::Sculpt>);
     waitUntilDrawn();
     document().history().clear();
     whole_ = look();
@@ -93,7 +93,7 @@ TEST_F(CarveWindow, ShowsInBothViewsWithEveryMethodAndRestoreAllIsAStep) {
   carve(volume(0), onBall(-10.0, 5.0), onBall(12.0, 8.0));
   carve(volume(0), onBall(-5.0, -15.0), onBall(5.0, -15.0));
   ASSERT_EQ(document().removals().size(), 2u);
-  use(MethodKind::Adaptive);
+  use(kindOf<methods::Adaptive>);
   EXPECT_FALSE(carving().isActive()) << "another method has no tool";
   EXPECT_FALSE(rows().isVisibleTo(&panel<CutawayPanel>()));
   waitUntilDrawn();
@@ -103,7 +103,7 @@ TEST_F(CarveWindow, ShowsInBothViewsWithEveryMethodAndRestoreAllIsAStep) {
   waitUntilDrawn();
   EXPECT_NE(look()[0], carved[0]);
   document().undoStack().undo();
-  use(MethodKind::Sculpt);
+  use(kindOf<methods::Sculpt>);
   const int before = steps();
   rows().restore()->click();
   EXPECT_TRUE(document().removals().empty());
@@ -142,7 +142,7 @@ TEST_F(CarveWindow, TakesTheFocusAlong) {
 }
 
 TEST_F(CarveWindow, LaysAPlaneAndBendsIt) {
-  use(MethodKind::Bend);
+  use(kindOf<methods::Bend>);
   EXPECT_EQ(carving().settings().shape, RemovalShape::Plane) << "the method's own";
   carve(volume(0), onBall(0.0, -25.0), onBall(2.0, 25.0));
   ASSERT_EQ(document().removals().size(), 1u);

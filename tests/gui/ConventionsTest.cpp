@@ -334,7 +334,7 @@ Conventions::Cases Conventions::sliceGestures() {
 void Conventions::addVolumeGestures(Cases& cases) {
   cases["Walls of slices, in the 3-D views: Drag a square"] = [this] {
     Look look = document().look();
-    look.method.kind = MethodKind::Walls;
+    look.method.kind = kindOf<methods::Walls>;
     document().edit({}, look);
     waitUntilDrawn();
     const WallTool::Handle handle = volume(0)->wallTool().handles().at(0);
@@ -386,7 +386,7 @@ void Conventions::addVolumeGestures(Cases& cases) {
       cases["Carving, in all views: Shift+drag"] = [this] {
         const Look before = document().look();
         Look bends = before;
-        bends.method.kind = MethodKind::Bend;
+        bends.method.kind = kindOf<methods::Bend>;
         document().edit(QStringLiteral("method"), std::move(bends));
         Carving& carving = window_->workspace().carving;
         carving.setActive(true);

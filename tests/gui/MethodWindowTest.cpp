@@ -47,14 +47,54 @@ TEST_F(MethodWindow, ListsEachMethodWithAToolTip) {
   ASSERT_EQ(box->count(), static_cast<int>(wordsOf(MethodKind{}).size()));
   for (int row = 0; row < box->count(); ++row)
     EXPECT_GT(box->itemData(row, Qt::ToolTipRole).toString().size(), 40) << row;
-  for (const char* key :
-       {"cone_angle",    "importance",     "sparseness",       "importance_angle", "importance_opacity", "lens_radius",
-        "lens_bends",    "lens_fade",      "lens_rim",         "fade_reach",       "fade_sharpness",     "focal_shape",
-        "focal_size",    "focal_fall_off", "wall_placement",   "wall_axial",       "wall_sagittal",      "wall_coronal",
-        "wall_outlines", "explosion",      "explosion_planes", "explosion_axes",   "ghost_strength",     "ghost_edge",
-        "ghost_outline", "peel",           "peel_side",        "peel_turn",        "peel_depth",         "peel_radius",
-        "peel_margin"})
-    EXPECT_FALSE(shows(key)) << key;
+}
+
+TEST_F(MethodWindow, ShowsARowOfEachSettingOfTheChosenMethodAlone) {
+  forEachMethod([&]<class Chosen>() {
+    choose("kind", kindOf<Chosen>);
+    forEachMethod([&]<class M>() {
+      int rows = 0;
+      forEachSetting<M>([&](const auto& setting) { rows += shows(setting.key); });
+      const auto settings = static_cast<int>(std::tuple_size_v<decltype(settingsOf<M>)>);
+      if (!std::same_as<M, Chosen>)
+        EXPECT_EQ(rows, 0) << Chosen::word << " shows rows of " << M::word;
+      else if (std::same_as<M, methods::Importance>)
+        EXPECT_EQ(rows, 2) << "some have a meaning for one of its modes alone";
+      else
+        EXPECT_EQ(rows, settings) << M::word;
+    });
+  });
+}
+
+TEST_F(MethodWindow, ParametersOutliveAnotherMethodAndComeBackByUndo) {
+  const auto method = [&]() -> const Method& { return document().look().method; };
+  const int steps = document().undoStack().index();
+  choose("kind", kindOf<methods::Cone>);
+  control<SliderSpin>("cone_angle")->box()->setValue(60.0);
+  choose("kind", kindOf<methods::ClearView>);
+  control<SliderSpin>("lens_radius")->box()->setValue(40.0);
+  choose("kind", kindOf<methods::Cone>);
+  EXPECT_EQ(method().chosen(), ChosenMethod(methods::Cone{.angle = 60.0}));
+  EXPECT_EQ(control<SliderSpin>("cone_angle")->value(), 60.0);
+  control<SliderSpin>("cone_angle")->box()->setValue(20.0);
+  EXPECT_EQ(document().undoStack().index(), steps + 6);
+
+  document().undoStack().undo();
+  EXPECT_EQ(method().chosen(), ChosenMethod(methods::Cone{.angle = 60.0}));
+  document().undoStack().undo();
+  EXPECT_EQ(method().chosen(), ChosenMethod(methods::ClearView{.radius = 40.0}));
+  EXPECT_EQ(control<SliderSpin>("lens_radius")->value(), 40.0);
+  document().undoStack().undo();
+  EXPECT_EQ(method().chosen(), ChosenMethod(methods::ClearView{}));
+  document().undoStack().undo();
+  EXPECT_EQ(method().chosen(), ChosenMethod(methods::Cone{.angle = 60.0}));
+  document().undoStack().undo();
+  EXPECT_EQ(method().chosen(), ChosenMethod(methods::Cone{}));
+  document().undoStack().undo();
+  EXPECT_EQ(method(), Method());
+  EXPECT_EQ(control<SliderSpin>("cone_angle")->value(), methods::Cone{}.angle);
+  while (document().undoStack().canRedo()) document().undoStack().redo();
+  EXPECT_EQ(method().chosen(), ChosenMethod(methods::Cone{.angle = 20.0}));
 }
 
 TEST_F(MethodWindow, EachHasItsOwnRowsAndIsAStepOfTheHistory) {
@@ -63,8 +103,8 @@ TEST_F(MethodWindow, EachHasItsOwnRowsAndIsAStepOfTheHistory) {
   EXPECT_TRUE(width->isEnabled());
   const int steps = document().undoStack().index();
 
-  choose("kind", MethodKind::Cone);
-  EXPECT_EQ(document().look().method.kind, MethodKind::Cone);
+  choose("kind", kindOf<methods::Cone>);
+  EXPECT_EQ(document().look().method.kind, kindOf<methods::Cone>);
   EXPECT_EQ(document().undoStack().index(), steps + 1);
   EXPECT_TRUE(shows("cone_angle"));
   EXPECT_FALSE(shows("importance"));
@@ -75,11 +115,11 @@ TEST_F(MethodWindow, EachHasItsOwnRowsAndIsAStepOfTheHistory) {
   const QImage cone = picture(volume(0));
   EXPECT_NE(cone, adaptive);
   control<SliderSpin>("cone_angle")->box()->setValue(60.0);
-  EXPECT_EQ(document().look().method.coneAngle, 60.0);
+  EXPECT_EQ(document().look().method.of<methods::Cone>().angle, 60.0);
   waitUntilDrawn();
   EXPECT_NE(picture(volume(0)), cone);
 
-  choose("kind", MethodKind::Importance);
+  choose("kind", kindOf<methods::Importance>);
   EXPECT_FALSE(shows("cone_angle"));
   EXPECT_TRUE(shows("importance") && shows("importance_angle"));
   EXPECT_FALSE(shows("importance_opacity") || shows("sparseness"));
@@ -87,7 +127,7 @@ TEST_F(MethodWindow, EachHasItsOwnRowsAndIsAStepOfTheHistory) {
   EXPECT_TRUE(shows("importance_opacity") && shows("sparseness"));
   EXPECT_FALSE(shows("importance_angle"));
   choose("sparseness", Sparseness::ScreenDoor);
-  EXPECT_EQ(document().look().method.sparseness, Sparseness::ScreenDoor);
+  EXPECT_EQ(document().look().method.of<methods::Importance>().sparseness, Sparseness::ScreenDoor);
   waitUntilDrawn();
   EXPECT_NE(picture(volume(0)), adaptive);
 
@@ -104,7 +144,7 @@ TEST_F(MethodWindow, LabelsHaveLevelsOfImportance) {
   auto& list = *panel<CutawayPanel>().findChild<ImportanceList*>();
   EXPECT_FALSE(list.isVisibleTo(&panel<CutawayPanel>()));
   const int width = panel<CutawayPanel>().width();
-  choose("kind", MethodKind::Importance);
+  choose("kind", kindOf<methods::Importance>);
   EXPECT_TRUE(list.isVisibleTo(&panel<CutawayPanel>()));
   waitUntilDrawn();
   EXPECT_EQ(panel<CutawayPanel>().width(), width);
@@ -136,14 +176,14 @@ TEST_F(MethodWindow, LabelsHaveLevelsOfImportance) {
   document().undoStack().undo();
   EXPECT_EQ(list.table()->rowCount(), 2);
 
-  choose("kind", MethodKind::Adaptive);
+  choose("kind", kindOf<methods::Adaptive>);
   EXPECT_FALSE(list.isVisibleTo(&panel<CutawayPanel>()));
 }
 
 TEST_F(MethodWindow, ClearViewHasALensInPlaceOfWidthAndBorder) {
   const QImage adaptive = picture(volume(0));
   const int steps = document().undoStack().index(), width = panel<CutawayPanel>().width();
-  choose("kind", MethodKind::ClearView);
+  choose("kind", kindOf<methods::ClearView>);
   waitUntilDrawn();
   EXPECT_EQ(panel<CutawayPanel>().width(), width);
   for (const char* key : {"lens_radius", "lens_place", "lens_bends", "lens_fade", "lens_rim"})
@@ -161,16 +201,16 @@ TEST_F(MethodWindow, ClearViewHasALensInPlaceOfWidthAndBorder) {
     before = now;
   };
   control<SliderSpin>("lens_radius")->box()->setValue(40.0);
-  EXPECT_EQ(document().look().method.lensRadius, 40.0);
+  EXPECT_EQ(document().look().method.of<methods::ClearView>().radius, 40.0);
   expectChanged("radius");
   control<SliderSpin>("lens_bends")->box()->setValue(0.0);
-  EXPECT_EQ(document().look().method.lensBends, 0.0);
+  EXPECT_EQ(document().look().method.of<methods::ClearView>().bends, 0.0);
   expectChanged("bends");
   control<QDoubleSpinBox>("lens_rim")->setValue(10.0);
-  EXPECT_EQ(document().look().method.lensRim, 10.0);
+  EXPECT_EQ(document().look().method.of<methods::ClearView>().rim, 10.0);
   expectChanged("rim");
   choose("lens_fade", LensFade::Curvature);
-  EXPECT_EQ(document().look().method.lensFade, LensFade::Curvature);
+  EXPECT_EQ(document().look().method.of<methods::ClearView>().fade, LensFade::Curvature);
   expectChanged("fade");
   choose("lens_place", LensPlace::OverCrosshair);
   waitUntilDrawn();
@@ -192,7 +232,7 @@ TEST_F(MethodWindow, ContextPreservingCutsNothingAway) {
   const QImage adaptive = picture(volume(0));
   const int steps = document().undoStack().index(), width = panel<CutawayPanel>().width();
   const bool hasEdges = panel<ContextLayerPanel>().isEnabled();
-  choose("kind", MethodKind::ContextPreserving);
+  choose("kind", kindOf<methods::ContextPreserving>);
   waitUntilDrawn();
   EXPECT_EQ(panel<CutawayPanel>().width(), width);
   for (const char* key : {"fade_reach", "fade_sharpness"}) EXPECT_TRUE(shows(key)) << key;
@@ -212,8 +252,8 @@ TEST_F(MethodWindow, ContextPreservingCutsNothingAway) {
     EXPECT_NE(picture(volume(0)), before) << key;
     before = picture(volume(0));
   }
-  EXPECT_EQ(document().look().method.fadeReach, 1.5);
-  EXPECT_EQ(document().look().method.fadeSharpness, 1.5);
+  EXPECT_EQ(document().look().method.of<methods::ContextPreserving>().reach, 1.5);
+  EXPECT_EQ(document().look().method.of<methods::ContextPreserving>().sharpness, 1.5);
   // Without a focus there is something to see, too.
   document().setFocus({});
   waitUntilDrawn();
@@ -231,7 +271,7 @@ TEST_F(MethodWindow, ContextPreservingCutsNothingAway) {
 TEST_F(MethodWindow, AFocalRegionHasAShapeASizeAndAFallOff) {
   const QImage adaptive = picture(volume(0));
   const int steps = document().undoStack().index(), width = panel<CutawayPanel>().width();
-  choose("kind", MethodKind::FocalRegion);
+  choose("kind", kindOf<methods::FocalRegion>);
   waitUntilDrawn();
   EXPECT_EQ(panel<CutawayPanel>().width(), width);
   for (const char* key : {"focal_shape", "focal_size", "focal_fall_off"}) EXPECT_TRUE(shows(key)) << key;
@@ -251,7 +291,8 @@ TEST_F(MethodWindow, AFocalRegionHasAShapeASizeAndAFallOff) {
   choose("focal_shape", FocalShape::Box);
   expectChange("focal_shape");
   const Method& method = document().look().method;
-  EXPECT_TRUE(method.focalSize == 12.0 && method.focalFallOff == 9.0 && method.focalShape == FocalShape::Box);
+  EXPECT_TRUE(method.of<methods::FocalRegion>().size == 12.0 && method.of<methods::FocalRegion>().fallOff == 9.0 &&
+              method.of<methods::FocalRegion>().shape == FocalShape::Box);
   // Without a focus, the region lies in the middle of the volume.
   document().setFocus({});
   expectChange("focus");
@@ -268,7 +309,7 @@ TEST_F(MethodWindow, WallsFollowTheSlices) {
   const int steps = document().undoStack().index(), width = panel<CutawayPanel>().width();
   const glm::dvec3 crosshair = cursor().position();
   const WindowLevel window = document().window();
-  choose("kind", MethodKind::Walls);
+  choose("kind", kindOf<methods::Walls>);
   waitUntilDrawn();
   EXPECT_EQ(panel<CutawayPanel>().width(), width);
   for (const char* key : {"wall_placement", "wall_axial", "wall_sagittal", "wall_coronal", "wall_outlines"})
@@ -299,7 +340,7 @@ TEST_F(MethodWindow, WallsFollowTheSlices) {
   EXPECT_NEAR(cursor().position().x - start.x, 6.0, 1.0) << "to the pixel";
   expectChange("dragged");
   control<QCheckBox>("wall_axial")->click();
-  EXPECT_FALSE(document().look().method.wallAxial);
+  EXPECT_FALSE(document().look().method.of<methods::Walls>().axial);
   EXPECT_EQ(volume(0)->wallTool().handles().size(), 2u);
   expectChange("without the axial wall");
   choose("wall_placement", WallPlacement::Inside);
@@ -316,7 +357,7 @@ TEST_F(MethodWindow, AnExplodedViewHasADegreeAndPlanes) {
   waitUntilDrawn();
   const QImage adaptive = picture(volume(0));
   const int steps = document().undoStack().index(), width = panel<CutawayPanel>().width();
-  choose("kind", MethodKind::Explode);
+  choose("kind", kindOf<methods::Explode>);
   waitUntilDrawn();
   EXPECT_EQ(panel<CutawayPanel>().width(), width);
   for (const char* key : {"explosion", "explosion_planes", "explosion_axes"}) EXPECT_TRUE(shows(key)) << key;
@@ -336,8 +377,9 @@ TEST_F(MethodWindow, AnExplodedViewHasADegreeAndPlanes) {
   choose("explosion_axes", ExplosionAxes::View);
   expectChange("explosion_axes");
   const Method& method = document().look().method;
-  EXPECT_TRUE(method.explosion == 0.9 && method.explosionPlanes == ExplosionPlanes::Three &&
-              method.explosionAxes == ExplosionAxes::View);
+  EXPECT_TRUE(method.of<methods::Explode>().degree == 0.9 &&
+              method.of<methods::Explode>().planes == ExplosionPlanes::Three &&
+              method.of<methods::Explode>().axes == ExplosionAxes::View);
   document().setFocus({});
   expectChange("focus");
   while (document().undoStack().index() > steps) document().undoStack().undo();
@@ -346,7 +388,7 @@ TEST_F(MethodWindow, AnExplodedViewHasADegreeAndPlanes) {
 TEST_F(MethodWindow, AGhostedSelectionKeepsEdgesInItsOpening) {
   const QImage adaptive = picture(volume(0));
   const int steps = document().undoStack().index(), width = panel<CutawayPanel>().width();
-  choose("kind", MethodKind::Selection);
+  choose("kind", kindOf<methods::Selection>);
   waitUntilDrawn();
   EXPECT_EQ(panel<CutawayPanel>().width(), width);
   const std::vector<const char*> keys{"ghost_strength", "ghost_edge", "ghost_outline"};
@@ -363,7 +405,8 @@ TEST_F(MethodWindow, AGhostedSelectionKeepsEdgesInItsOpening) {
     before = picture(volume(0));
   }
   const Method& method = document().look().method;
-  EXPECT_TRUE(method.ghostStrength == 0.5 && method.ghostEdge == 3.0 && method.ghostOutline == 1.0);
+  EXPECT_TRUE(method.of<methods::Selection>().strength == 0.5 && method.of<methods::Selection>().edge == 3.0 &&
+              method.of<methods::Selection>().outline == 1.0);
   while (document().undoStack().index() > steps) document().undoStack().undo();
   waitUntilDrawn();
   ASSERT_EQ(picture(volume(0)).size(), adaptive.size());
@@ -374,7 +417,7 @@ TEST_F(MethodWindow, PeelingHasAnAmountASideAndAShape) {
   cameras().setAnimated(false);
   const QImage adaptive = picture(volume(0));
   const int steps = document().undoStack().index(), width = panel<CutawayPanel>().width();
-  choose("kind", MethodKind::Peel);
+  choose("kind", kindOf<methods::Peel>);
   waitUntilDrawn();
   EXPECT_EQ(panel<CutawayPanel>().width(), width);
   for (const char* key : {"peel", "peel_side", "peel_turn", "peel_depth", "peel_radius", "peel_margin"})
@@ -397,8 +440,9 @@ TEST_F(MethodWindow, PeelingHasAnAmountASideAndAShape) {
   choose("peel_side", PeelSide::Left);
   expectChange("peel_side");
   const Method& method = document().look().method;
-  EXPECT_TRUE(method.peel == 0.6 && method.peelTurn == 35.0 && method.peelDepth == 0.2 && method.peelRadius == 30.0 &&
-              method.peelMargin == 3.0 && method.peelSide == PeelSide::Left);
+  EXPECT_TRUE(method.of<methods::Peel>().amount == 0.6 && method.of<methods::Peel>().turn == 35.0 &&
+              method.of<methods::Peel>().depth == 0.2 && method.of<methods::Peel>().radius == 30.0 &&
+              method.of<methods::Peel>().margin == 3.0 && method.of<methods::Peel>().side == PeelSide::Left);
   while (document().undoStack().index() > steps) document().undoStack().undo();
   waitUntilDrawn();
   ASSERT_EQ(picture(volume(0)).size(), adaptive.size());
@@ -408,13 +452,13 @@ TEST_F(MethodWindow, PeelingHasAnAmountASideAndAShape) {
 TEST_F(MethodWindow, ALayerIsPeeledOffWhenTheMethodIsChosenAndBackWhenItIsLeft) {
   const auto shown = [&] { return volume(0)->shownScene().look.method; };
   cameras().setAnimated(true);
-  choose("kind", MethodKind::Peel);
-  const double amount = document().look().method.peel;
-  EXPECT_LT(shown().peel, 0.5 * amount);
-  EXPECT_TRUE(QTest::qWaitFor([&] { return shown().peel == amount; }, 20000));
+  choose("kind", kindOf<methods::Peel>);
+  const double amount = document().look().method.of<methods::Peel>().amount;
+  EXPECT_LT(shown().of<methods::Peel>().amount, 0.5 * amount);
+  EXPECT_TRUE(QTest::qWaitFor([&] { return shown().of<methods::Peel>().amount == amount; }, 20000));
   waitUntilDrawn();
-  choose("kind", MethodKind::Adaptive);
-  EXPECT_EQ(shown().kind, MethodKind::Peel);
+  choose("kind", kindOf<methods::Adaptive>);
+  EXPECT_EQ(shown().kind, kindOf<methods::Peel>);
   EXPECT_TRUE(QTest::qWaitFor([&] { return shown() == document().look().method; }, 20000));
   waitUntilDrawn();
   cameras().setAnimated(false);
@@ -423,26 +467,26 @@ TEST_F(MethodWindow, ALayerIsPeeledOffWhenTheMethodIsChosenAndBackWhenItIsLeft) 
 TEST_F(MethodWindow, PartsMoveOutWhenTheMethodIsChosenAndBackWhenItIsLeft) {
   const auto shown = [&] { return volume(0)->shownScene().look.method; };
   cameras().setAnimated(true);
-  choose("kind", MethodKind::Explode);
-  const double degree = document().look().method.explosion;
-  EXPECT_LT(shown().explosion, 0.5 * degree);
+  choose("kind", kindOf<methods::Explode>);
+  const double degree = document().look().method.of<methods::Explode>().degree;
+  EXPECT_LT(shown().of<methods::Explode>().degree, 0.5 * degree);
   double last = 0.0;
   const auto arrived = [&] {
-    EXPECT_GE(shown().explosion, last) << "further out";
-    last = shown().explosion;
+    EXPECT_GE(shown().of<methods::Explode>().degree, last) << "further out";
+    last = shown().of<methods::Explode>().degree;
     return last == degree;
   };
   EXPECT_TRUE(QTest::qWaitFor(arrived, 20000));
   waitUntilDrawn();
-  choose("kind", MethodKind::Cone);
-  EXPECT_EQ(document().look().method.kind, MethodKind::Cone);
-  EXPECT_EQ(shown().kind, MethodKind::Explode);
+  choose("kind", kindOf<methods::Cone>);
+  EXPECT_EQ(document().look().method.kind, kindOf<methods::Cone>);
+  EXPECT_EQ(shown().kind, kindOf<methods::Explode>);
   EXPECT_TRUE(QTest::qWaitFor([&] { return shown() == document().look().method; }, 20000));
   waitUntilDrawn();
   cameras().setAnimated(false);
-  choose("kind", MethodKind::Explode);
+  choose("kind", kindOf<methods::Explode>);
   EXPECT_EQ(shown(), document().look().method);
-  choose("kind", MethodKind::Adaptive);
+  choose("kind", kindOf<methods::Adaptive>);
   EXPECT_EQ(shown(), document().look().method);
 }
 
@@ -458,7 +502,7 @@ TEST_F(MethodWindow, TextsAreTranslated) {
   QCoreApplication::installTranslator(&locale);
   CutawayPanel shown(document(), window_->workspace().carving);
   Look look = document().look();
-  look.method.kind = MethodKind::Cone;
+  look.method.kind = kindOf<methods::Cone>;
   document().edit(QStringLiteral("cone"), look);
   QStringList texts;
   for (const char* key : {"kind", "importance", "sparseness", "lens_fade", "focal_shape", "wall_placement",
@@ -473,13 +517,13 @@ TEST_F(MethodWindow, TextsAreTranslated) {
         "fade_sharpness", "focal_size", "focal_fall_off", "explosion", "ghost_strength", "ghost_edge", "ghost_outline",
         "peel", "peel_turn", "peel_depth", "peel_radius", "peel_margin"})
     texts << shown.findChild<SliderSpin*>(QLatin1String(key))->toolTip();
-  look.method.kind = MethodKind::ClearView;
+  look.method.kind = kindOf<methods::ClearView>;
   document().edit(QStringLiteral("lens"), look);
   const auto* rim = shown.findChild<QDoubleSpinBox*>(QStringLiteral("lens_rim"));
   texts << rim->toolTip() << rim->prefix();
   for (const char* key : {"open_width", "border_width"})
     texts << shown.findChild<SliderSpin*>(QLatin1String(key))->toolTip();
-  look.method.kind = MethodKind::ContextPreserving;
+  look.method.kind = kindOf<methods::ContextPreserving>;
   document().edit(QStringLiteral("fading"), look);
   for (const char* key : {"open_width", "border_width"})
     texts << shown.findChild<SliderSpin*>(QLatin1String(key))->toolTip();

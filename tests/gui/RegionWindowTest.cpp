@@ -223,7 +223,7 @@ TEST_F(RegionWindow, IsPaintedIn3DOnWhatIsSeen) {
 
 TEST_F(RegionWindow, APaintedSelectionIsGhostedAndComesBackToTheBit) {
   Look look = document().look();
-  look.method.kind = MethodKind::Selection;
+  look.method.kind = kindOf<methods::Selection>;
   document().edit(QStringLiteral("method"), std::move(look));
   panel<FocusPanel>().paint()->click();
   SelectionBrush& brush = window_->workspace().selection;
@@ -267,7 +267,7 @@ TEST_F(RegionWindow, PaintingTakesTurnsWithTheOtherTools) {
   button->click();
   EXPECT_FALSE(brush().isActive());
   Look look = document().look();
-  look.method.kind = MethodKind::Sculpt;
+  look.method.kind = kindOf<methods::Sculpt>;
   document().edit(QStringLiteral("method"), std::move(look));
   Carving& carving = window_->workspace().carving;
   carving.setActive(true);

@@ -195,7 +195,7 @@ TEST_F(SessionWindow, SavedAndReopenedShowsTheSamePictures) {
 
 TEST_F(SessionWindow, KeepsAPaintedRegion) {
   Look look = document().look();
-  look.method.kind = MethodKind::Selection;
+  look.method.kind = kindOf<methods::Selection>;
   document().edit(QStringLiteral("method"), std::move(look));
   cursor().moveTo(glm::dvec3(0.0));
   SelectionBrush& brush = window_->workspace().selection;

@@ -67,8 +67,8 @@ std::vector<Edge> edgesBetween(const std::vector<SourceFile>& sources, const Use
 }
 
 bool allows(const LayerRule& rule, const std::string& from, const std::string& to) {
-  const auto at = rule.find(from);
-  return at != rule.end() && at->second.contains(to);
+  const auto at = rule.find(lineOf(rule, from));
+  return at != rule.end() && at->second.contains(lineOf(rule, to));
 }
 
 }  // namespace
@@ -93,6 +93,11 @@ LayerRule layerRule(std::string_view markdown) {
   }
   if (rule.empty()) throw std::runtime_error("no block of layers");
   return rule;
+}
+
+std::string lineOf(const LayerRule& rule, const std::string& layer) {
+  const std::string all = folderOf(layer) + "/*";
+  return !rule.contains(layer) && rule.contains(all) ? all : layer;
 }
 
 std::vector<Edge> includeEdges(const std::vector<SourceFile>& sources) {
@@ -149,7 +154,7 @@ std::vector<Edge> linkEdges(const std::map<std::string, Target>& targets, const 
 std::vector<std::string> breaches(const LayerRule& rule, const std::vector<Edge>& edges) {
   std::vector<std::string> found;
   for (const Edge& edge : edges) {
-    if (!rule.contains(edge.from))
+    if (!rule.contains(lineOf(rule, edge.from)))
       found.push_back(edge.from + " has no line in the rule (" + edge.where + ")");
     else if (!allows(rule, edge.from, edge.to))
       found.push_back(edge.from + " must not use " + edge.to + " (" + edge.where + ")");

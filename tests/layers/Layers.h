@@ -26,6 +26,8 @@ using LayerRule = std::map<std::string, std::set<std::string>>;
 /// From the block of a Markdown text that is fenced as ```layers: "LAYER → LAYER, LAYER" a line, "LAYER →" where
 /// nothing may be used. Throws std::runtime_error for another form.
 LayerRule layerRule(std::string_view markdown);
+/// The line of a rule that holds for a layer: its own, or that of all folders within its parent ("parent/*").
+std::string lineOf(const LayerRule& rule, const std::string& layer);
 
 /// One edge for each pair of layers, sorted. Includes within a layer and those of other libraries are left out.
 std::vector<Edge> includeEdges(const std::vector<SourceFile>& sources);

@@ -95,8 +95,9 @@ TEST(Architecture, TheRuleHasNoCycleAndNoUnusedArrow) {
   const std::vector<Edge> links = linkEdges(cmakeTargets(productSources({"CMakeLists.txt"})), rule);
   edges.insert(edges.end(), links.begin(), links.end());
   for (const Edge& arrow : edgesOf(rule)) {
-    const bool used = std::any_of(edges.begin(), edges.end(),
-                                  [&](const Edge& edge) { return edge.from == arrow.from && edge.to == arrow.to; });
+    const bool used = std::any_of(edges.begin(), edges.end(), [&](const Edge& edge) {
+      return lineOf(rule, edge.from) == arrow.from && lineOf(rule, edge.to) == arrow.to;
+    });
     EXPECT_TRUE(used) << arrow.from << " → " << arrow.to;
   }
 }
@@ -184,6 +185,14 @@ TEST(ArchitectureCheck, ReportsLinkLinesThatBreakTheRuleOrAreMissing) {
             (std::vector<std::string>{"scene must not use window (scene links window)"}));
   EXPECT_EQ(unlinked(targets, {{"gl", "scene", "a"}, {"window", "gl", "window/main.cpp:1"}}),
             (std::vector<std::string>{"window does not link gl (window/main.cpp:1)"}));
+}
+
+TEST(ArchitectureCheck, OneLineIsThatOfAllFoldersWithinAFolder) {
+  const LayerRule rule = layerRule("```layers\nbase →\nways/* → base\nways → ways/*\n```\n");
+  EXPECT_TRUE(breaches(rule, {{"ways/one", "base", "a"}, {"ways", "ways/two", "b"}}).empty());
+  EXPECT_EQ(breaches(rule, {{"ways/one", "ways/two", "a"}, {"ways/one", "ways", "b"}, {"other/one", "base", "c"}}),
+            (std::vector<std::string>{"ways/one must not use ways/two (a)", "ways/one must not use ways (b)",
+                                      "other/one has no line in the rule (c)"}));
 }
 
 TEST(ArchitectureCheck, FindsNoCycleWhereThereIsNone) {

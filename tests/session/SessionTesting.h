@@ -70,39 +70,17 @@ inline io::Session fullSession(const std::filesystem::path& folder) {
   session.look.context.function.nodes = {{-0.1, {{0.9, 0.8, 0.7}, 0.0}},
                                          {300.0, {{0.0, 1.0, 0.5}, 13.815510557964274}}};
   session.look.context.shift = -17.25;
-  session.look.method = {MethodKind::Importance,
-                         41.5,
-                         ImportanceMode::Average,
-                         22.25,
-                         0.125,
-                         Sparseness::ScreenDoor,
-                         LensFade::Depth,
-                         LensPlace::OverCrosshair,
-                         33.5,
-                         2.25,
-                         12.5,
-                         4.25,
-                         0.75,
-                         FocalShape::Box,
-                         12.25,
-                         7.5,
-                         WallPlacement::Inside,
-                         false,
-                         false,
-                         false,
-                         false,
-                         0.125,
-                         ExplosionPlanes::Three,
-                         ExplosionAxes::View,
-                         0.625,
-                         17.5,
-                         0.875,
-                         0.375,
-                         PeelSide::Inferior,
-                         -22.5,
-                         0.25,
-                         12.5,
-                         7.25};
+  Method& method = session.look.method;
+  method = methods::Importance{
+      .mode = ImportanceMode::Average, .angle = 22.25, .opacity = 0.125, .sparseness = Sparseness::ScreenDoor};
+  method.of<methods::Cone>() = {41.5};
+  method.of<methods::ClearView>() = {LensFade::Depth, LensPlace::OverCrosshair, 33.5, 2.25, 12.5};
+  method.of<methods::ContextPreserving>() = {4.25, 0.75};
+  method.of<methods::FocalRegion>() = {FocalShape::Box, 12.25, 7.5};
+  method.of<methods::Walls>() = {WallPlacement::Inside, false, false, false, false};
+  method.of<methods::Explode>() = {0.125, ExplosionPlanes::Three, ExplosionAxes::View};
+  method.of<methods::Selection>() = {0.625, 17.5, 0.875};
+  method.of<methods::Peel>() = {0.375, PeelSide::Inferior, -22.5, 0.25, 12.5, 7.25};
   session.look.cutaway = {false, 31.0, 0.5, WidthUnit::Millimetre, {0.3, 0.2, 0.1}, 22.5, -135.0};
   session.look.contextLayer = {.strength = 0.25,
                                .curvatureWeight = 2.0,

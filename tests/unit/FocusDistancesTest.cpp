@@ -77,14 +77,14 @@ TEST(FocusDistances, OfManyVoxelsHaveACoarserLattice) {
 
 TEST(FocusDistances, AreMadeOnlyForARegionThatNeedsThem) {
   Scene scene = dots(gridOf({4, 4, 4}));
-  scene.look.method = {.kind = MethodKind::FocalRegion};
+  scene.look.method = methods::FocalRegion{};
   EXPECT_FALSE(fadesByDistance(scene.look));
-  scene.look.method.focalShape = FocalShape::Distance;
+  scene.look.method.of<methods::FocalRegion>().shape = FocalShape::Distance;
   EXPECT_TRUE(fadesByDistance(scene.look));
   scene.look.cutaway.enabled = false;
   EXPECT_FALSE(fadesByDistance(scene.look));
   scene.look.cutaway.enabled = true;
-  scene.look.method.kind = MethodKind::ContextPreserving;
+  scene.look.method.kind = kindOf<methods::ContextPreserving>;
   EXPECT_FALSE(fadesByDistance(scene.look));
 }
 

@@ -14,7 +14,7 @@ using Levels = std::vector<std::vector<std::uint16_t>>;
 Scene withFocus(std::vector<std::uint16_t> labels) {
   Scene scene = labelScene(gridOf({4, 4, 4}), [](glm::ivec3 i) { return 1 + i.x; });
   scene.look.focus = LabelFocus{std::move(labels)};
-  scene.look.method.kind = MethodKind::Importance;
+  scene.look.method.kind = kindOf<methods::Importance>;
   return scene;
 }
 
@@ -67,12 +67,12 @@ TEST(Importance, CountsForAnOpeningOfLabelsByImportanceAlone) {
   Scene scene = withFocus({2});
   setLevel(scene, 1, 1);
   for (const ImportanceMode mode : {ImportanceMode::Maximum, ImportanceMode::Average}) {
-    scene.look.method.importance = mode;
+    scene.look.method.of<methods::Importance>().mode = mode;
     EXPECT_EQ(importanceLevels(scene).size(), 2u);
   }
   Scene closed = scene, cone = scene, values = scene, region = scene;
   closed.look.cutaway.enabled = false;
-  cone.look.method.kind = MethodKind::Cone;
+  cone.look.method.kind = kindOf<methods::Cone>;
   values.look.focus = ValueFocus{{0.0, 1.0}, 0.0};
   region.structures = region.labels;
   region.labels = labelsOf(region.labels->grid, [](glm::ivec3 i) { return i.x; });

@@ -1,59 +1,104 @@
 // The stages with which the methods replace the adaptive cutaway's, and the pattern of the screen door.
 
-#include "rendering/settings/Method.h"
-
+#include <array>
 #include <cmath>
+#include <concepts>
+#include <set>
+#include <string>
 
 #include <gtest/gtest.h>
 
+#include "rendering/methods/Method.h"
 #include "rendering/scene/Explosion.h"
 #include "rendering/scene/Fading.h"
 #include "rendering/scene/Peel.h"
 #include "rendering/scene/Scene.h"
-#include "rendering/settings/Settings.h"
 
 namespace fenestra::tests {
 namespace {
 
 TEST(Method, TheAdaptiveCutawayIsTheUsualOneWhateverTheOthersParameters) {
   EXPECT_EQ(stagesOf(Method{}), MethodStages{});
-  EXPECT_EQ(stagesOf({.coneAngle = 70.0, .importance = ImportanceMode::Average, .importanceOpacity = 1.0}),
-            MethodStages{});
-  EXPECT_EQ(stagesOf({.lensFade = LensFade::Curvature,
-                      .lensPlace = LensPlace::OverCrosshair,
-                      .lensRadius = 90.0,
-                      .lensBends = 4.0,
-                      .lensRim = 7.0}),
-            MethodStages{});
-  EXPECT_EQ(stagesOf({.fadeReach = 9.0, .fadeSharpness = 2.0}), MethodStages{});
-  EXPECT_EQ(stagesOf({.focalShape = FocalShape::Box, .focalSize = 9.0, .focalFallOff = 2.0}), MethodStages{});
-  EXPECT_EQ(stagesOf({.wallPlacement = WallPlacement::Inside, .wallAxial = false}), MethodStages{});
-  EXPECT_EQ(
-      stagesOf({.explosion = 0.9, .explosionPlanes = ExplosionPlanes::Three, .explosionAxes = ExplosionAxes::View}),
-      MethodStages{});
-  EXPECT_EQ(stagesOf({.ghostStrength = 0.2, .ghostEdge = 3.0, .ghostOutline = 1.0}), MethodStages{});
   EXPECT_FALSE(stagesOf(Method{}).keepsRemoved());
+  EXPECT_TRUE(Method{}.is<methods::Adaptive>());
+  forEachMethod([]<class M>() {
+    Method method;
+    forEachSetting<M>([&](const auto& setting) {
+      auto& value = method.of<M>().*setting.member;
+      if constexpr (std::same_as<std::remove_reference_t<decltype(value)>, double>) value = setting.range.low;
+    });
+    EXPECT_EQ(stagesOf(method), MethodStages{}) << M::word;
+  });
+}
+
+TEST(Method, KeepsTheParametersOfTheOthers) {
+  Method method = methods::Cone{.angle = 70.0};
+  method.kind = kindOf<methods::ClearView>;
+  method.of<methods::ClearView>().radius = 40.0;
+  EXPECT_EQ(std::get<methods::ClearView>(method.chosen()).radius, 40.0);
+  method.kind = kindOf<methods::Cone>;
+  EXPECT_EQ(method.chosen(), ChosenMethod(methods::Cone{.angle = 70.0}));
+  EXPECT_EQ(method.of<methods::ClearView>().radius, 40.0);
+  EXPECT_NE(method, Method(methods::Cone{.angle = 70.0})) << "they are a part of the look";
+}
+
+TEST(Method, EachIsChosenByItsKind) {
+  std::set<MethodKind> kinds;
+  forEachMethod([&]<class M>() {
+    EXPECT_TRUE(kinds.insert(kindOf<M>).second) << M::word;
+    EXPECT_TRUE(std::holds_alternative<M>(Method(kindOf<M>).chosen())) << M::word;
+    EXPECT_EQ(stagesOf(Method(kindOf<M>)), M{}.stages()) << M::word;
+    EXPECT_STREQ(wordOf(kindOf<M>).word, M::word);
+    EXPECT_STREQ(wordOf(kindOf<M>).name, M::name);
+  });
+  EXPECT_EQ(kinds.size(), wordsOf(MethodKind{}).size());
+}
+
+/// What decides on programs keeps the programs, and so the stages but for their numbers.
+TEST(Method, ProgramsKeepNoNumber) {
+  forEachMethod([]<class M>() {
+    if constexpr (requires(const M method) { method.programs(); }) {
+      M other;
+      forEachSetting<M>([&](const auto& setting) {
+        auto& value = other.*setting.member;
+        if constexpr (std::same_as<std::remove_reference_t<decltype(value)>, double>) value = setting.range.high;
+      });
+      EXPECT_EQ(other.programs(), M{}.programs()) << M::word;
+    }
+  });
+  EXPECT_NE((methods::FocalRegion{.shape = FocalShape::Distance}).programs(), methods::FocalRegion{}.programs());
+}
+
+TEST(Method, SmoothEdgesNeedAnOpeningThatIsDefinedBetweenPixels) {
+  for (const Method& method : std::initializer_list<Method>{
+           methods::Cone{}, methods::Importance{}, methods::Importance{.mode = ImportanceMode::Average, .opacity = 0.0},
+           methods::ClearView{}, methods::Walls{}})
+    EXPECT_FALSE(stagesOf(method).opensBetweenPixels()) << wordOf(method.kind).word;
+  EXPECT_TRUE(methods::Adaptive{}.stages().opensBetweenPixels());
+  EXPECT_TRUE(methods::Selection{}.stages().opensBetweenPixels());
 }
 
 TEST(Method, ConesHaveTheCotangentOfTheirAngle) {
   // Two correct roundings of angles and tangents near 1.
-  EXPECT_NEAR(stagesOf({.kind = MethodKind::Cone, .coneAngle = 45.0}).slope, 1.0, 1e-15);
-  EXPECT_NEAR(stagesOf({.kind = MethodKind::Cone, .coneAngle = 30.0}).slope, std::sqrt(3.0), 4e-15);
-  const MethodStages maximum = stagesOf({.kind = MethodKind::Importance, .coneAngle = 60.0});
+  EXPECT_NEAR(stagesOf(methods::Cone{.angle = 45.0}).slope, 1.0, 1e-15);
+  EXPECT_NEAR(stagesOf(methods::Cone{.angle = 30.0}).slope, std::sqrt(3.0), 4e-15);
+  Method method = methods::Importance{};
+  method.of<methods::Cone>().angle = 60.0;
+  const MethodStages maximum = stagesOf(method);
   EXPECT_NEAR(maximum.slope, 2.0 + std::sqrt(3.0), 8e-15) << "15° as its authors have it";
   EXPECT_TRUE(maximum.onSilhouette);
   EXPECT_FALSE(maximum.hasWidth);
 }
 
 TEST(Method, AverageImportanceKeepsWhatHidesTheFocus) {
-  const MethodStages stages = stagesOf({.kind = MethodKind::Importance, .importance = ImportanceMode::Average});
+  const MethodStages stages = stagesOf(methods::Importance{.mode = ImportanceMode::Average});
   EXPECT_EQ(stages.start, MethodStages::Start::Blend);
   EXPECT_FALSE(stages.hasWidth);
   EXPECT_EQ(stages.faintOpacity, 0.05);
 }
 
 TEST(Method, ClearViewKeepsAShareByItsLens) {
-  const MethodStages stages = stagesOf({.kind = MethodKind::ClearView, .lensFade = LensFade::Depth});
+  const MethodStages stages = stagesOf(methods::ClearView{.fade = LensFade::Depth});
   EXPECT_EQ(stages.start, MethodStages::Start::Blend);
   EXPECT_FALSE(stages.hasWidth || stages.hasBorder);
   EXPECT_EQ(stages.faintOpacity, 0.0);
@@ -70,7 +115,7 @@ TEST(Method, ClearViewKeepsAShareByItsLens) {
 }
 
 TEST(Method, ContextPreservingOpensNothing) {
-  const Method method{.kind = MethodKind::ContextPreserving, .fadeReach = 4.5, .fadeSharpness = 0.8};
+  const Method method = methods::ContextPreserving{.reach = 4.5, .sharpness = 0.8};
   const MethodStages stages = stagesOf(method);
   EXPECT_EQ(stages.start, MethodStages::Start::Entry);
   EXPECT_FALSE(stages.hasWidth || stages.hasBorder || stages.keepsRemoved());
@@ -87,17 +132,14 @@ TEST(Method, ContextPreservingOpensNothing) {
 }
 
 TEST(Method, AFocalRegionOpensNothing) {
-  const Method method{.kind = MethodKind::FocalRegion,
-                      .fadeReach = 9.0,
-                      .focalShape = FocalShape::Box,
-                      .focalSize = 20.0,
-                      .focalFallOff = 7.0};
+  Method method = methods::FocalRegion{.shape = FocalShape::Box, .size = 20.0, .fallOff = 7.0};
+  method.of<methods::ContextPreserving>().reach = 9.0;
   const MethodStages stages = stagesOf(method);
   EXPECT_EQ(stages.start, MethodStages::Start::Entry);
   EXPECT_FALSE(stages.hasWidth || stages.hasBorder || stages.keepsRemoved());
   ASSERT_TRUE(stages.fading && stages.fading->region);
   EXPECT_EQ(*stages.fading->region, (MethodStages::Fading::Region{FocalShape::Box, 20.0, 7.0}));
-  EXPECT_FALSE(stagesOf({.kind = MethodKind::ContextPreserving}).fading->region);
+  EXPECT_FALSE(stagesOf(methods::ContextPreserving{}).fading->region);
   Scene scene;
   scene.look.focus = LabelFocus{{1}};
   scene.look.method = method;
@@ -108,8 +150,7 @@ TEST(Method, AFocalRegionOpensNothing) {
 }
 
 TEST(Method, WallsAreTheAdaptiveCutawayWithSlices) {
-  const Method method{
-      .kind = MethodKind::Walls, .wallPlacement = WallPlacement::Inside, .wallSagittal = false, .wallOutlines = false};
+  const Method method = methods::Walls{.placement = WallPlacement::Inside, .sagittal = false, .outlines = false};
   MethodStages stages = stagesOf(method);
   EXPECT_EQ(stages.walls, (MethodStages::Walls{WallPlacement::Inside, true, false, true, false}));
   stages.walls.reset();
@@ -121,10 +162,7 @@ TEST(Method, WallsAreTheAdaptiveCutawayWithSlices) {
 }
 
 TEST(Method, AnExplodedViewOpensNothingAndAtDegreeZeroIsPlain) {
-  Method method{.kind = MethodKind::Explode,
-                .explosion = 0.75,
-                .explosionPlanes = ExplosionPlanes::Three,
-                .explosionAxes = ExplosionAxes::View};
+  Method method = methods::Explode{.degree = 0.75, .planes = ExplosionPlanes::Three, .axes = ExplosionAxes::View};
   const MethodStages stages = stagesOf(method);
   EXPECT_EQ(stages.start, MethodStages::Start::Entry);
   EXPECT_FALSE(stages.hasWidth || stages.hasBorder || stages.keepsRemoved() || stages.fading);
@@ -136,18 +174,18 @@ TEST(Method, AnExplodedViewOpensNothingAndAtDegreeZeroIsPlain) {
   EXPECT_EQ(explosionOf(scene.look), stages.explosion);
   scene.look.cutaway.enabled = false;
   EXPECT_FALSE(explosionOf(scene.look));
-  method.explosion = 0.0;
+  method.of<methods::Explode>().degree = 0.0;
   EXPECT_FALSE(stagesOf(method).explosion);
 }
 
 TEST(Method, AGhostedSelectionOpensAsTheAdaptiveCutawayDoes) {
-  const Method method{.kind = MethodKind::Selection, .ghostStrength = 0.75, .ghostEdge = 20.0, .ghostOutline = 0.25};
+  const Method method = methods::Selection{.strength = 0.75, .edge = 20.0, .outline = 0.25};
   MethodStages stages = stagesOf(method);
   ASSERT_TRUE(stages.fading && stages.fading->ghost);
   EXPECT_EQ(*stages.fading->ghost, (MethodStages::Fading::Ghost{0.75, 0.2, 0.25}));
   EXPECT_FALSE(stages.fading->region || stages.fading->followsLight());
-  EXPECT_TRUE(stagesOf({.kind = MethodKind::ContextPreserving}).fading->followsLight());
-  EXPECT_FALSE(stagesOf({.kind = MethodKind::FocalRegion}).fading->followsLight());
+  EXPECT_TRUE(stagesOf(methods::ContextPreserving{}).fading->followsLight());
+  EXPECT_FALSE(stagesOf(methods::FocalRegion{}).fading->followsLight());
   stages.fading.reset();
   EXPECT_EQ(stages, MethodStages{}) << "all else is the adaptive cutaway's";
   Scene scene;
@@ -161,13 +199,8 @@ TEST(Method, AGhostedSelectionOpensAsTheAdaptiveCutawayDoes) {
 }
 
 TEST(Method, PeelingOpensNothingAndAtAmountZeroIsPlain) {
-  Method method{.kind = MethodKind::Peel,
-                .peel = 0.75,
-                .peelSide = PeelSide::Left,
-                .peelTurn = 12.0,
-                .peelDepth = 0.25,
-                .peelRadius = 9.0,
-                .peelMargin = 3.0};
+  Method method =
+      methods::Peel{.amount = 0.75, .side = PeelSide::Left, .turn = 12.0, .depth = 0.25, .radius = 9.0, .margin = 3.0};
   const MethodStages stages = stagesOf(method);
   EXPECT_EQ(stages.start, MethodStages::Start::Entry);
   EXPECT_FALSE(stages.hasWidth || stages.hasBorder || stages.keepsRemoved() || stages.fading || stages.explosion);
@@ -179,10 +212,11 @@ TEST(Method, PeelingOpensNothingAndAtAmountZeroIsPlain) {
   EXPECT_EQ(peelOf(scene.look), stages.peel);
   scene.look.cutaway.enabled = false;
   EXPECT_FALSE(peelOf(scene.look));
-  method.peel = 0.0;
+  method.of<methods::Peel>().amount = 0.0;
   EXPECT_FALSE(stagesOf(method).peel);
-  method = {
-      .peel = 0.5, .peelSide = PeelSide::Left, .peelTurn = 5.0, .peelDepth = 0.1, .peelRadius = 2.0, .peelMargin = 1.0};
+  method.of<methods::Peel>() = {
+      .amount = 0.5, .side = PeelSide::Left, .turn = 5.0, .depth = 0.1, .radius = 2.0, .margin = 1.0};
+  method.kind = kindOf<methods::Adaptive>;
   EXPECT_EQ(stagesOf(method), MethodStages{});
 }
 
@@ -245,8 +279,8 @@ TEST(Method, AScreenDoorShowsItsShareOfEverySquareEvenly) {
 TEST(Method, SculptingAndBendingOpenNothingThemselves) {
   Scene scene;
   scene.look.focus = LabelFocus{{1}};
-  for (const MethodKind kind : {MethodKind::Sculpt, MethodKind::Bend}) {
-    scene.look.method = {.kind = kind};
+  for (const MethodKind kind : {kindOf<methods::Sculpt>, kindOf<methods::Bend>}) {
+    scene.look.method = Method(kind);
     EXPECT_FALSE(hasCutaway(scene));
     const MethodStages stages = stagesOf(scene.look.method);
     EXPECT_FALSE(stages.fading || stages.lens || stages.hasWidth || stages.hasBorder);
@@ -256,7 +290,7 @@ TEST(Method, SculptingAndBendingOpenNothingThemselves) {
 TEST(Method, EachHasAWordANameAndASource) {
   for (const Word<MethodKind>& word : wordsOf(MethodKind{})) {
     EXPECT_GT(std::string(word.description).size(), 40u) << word.word;
-    if (word.value == MethodKind::Adaptive) continue;
+    if (word.value == kindOf<methods::Adaptive>) continue;
     const std::string text = word.description;
     EXPECT_TRUE(text.find(" 19") != text.npos || text.find(" 20") != text.npos) << word.word << " names no year";
   }

@@ -293,7 +293,7 @@ TEST(OccluderCells, CountWhatOfTheFocusGivesWayToMoreImportantLabelsAsRemovable)
   scene.look.focusAppearance.extinction = 3.0;
   put(scene.look.labels, {.label = 2, .importance = 1});
   EXPECT_FLOAT_EQ(extinctionAt(occluderCells(scene), {20, 4, 4}).kept, 3.0f) << "of another method";
-  scene.look.method.kind = MethodKind::Importance;
+  scene.look.method.kind = kindOf<methods::Importance>;
   const OccluderCells cells = occluderCells(scene);
   EXPECT_EQ(extinctionAt(cells, {20, 4, 4}).kept, 0.0f);
   EXPECT_FLOAT_EQ(extinctionAt(cells, {20, 4, 4}).context, 3.0f);

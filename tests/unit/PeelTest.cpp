@@ -24,13 +24,12 @@ Scene block(const MethodStages::Peel& peel, const Grid& grid = gridOf({60, 48, 4
   scene.labels =
       labelsOf(grid, [](glm::ivec3 i) { return glm::distance(glm::dvec3(i), glm::dvec3(30, 30, 20)) < 6.0; });
   scene.look.focus = LabelFocus{{1}};
-  scene.look.method = {.kind = MethodKind::Peel,
-                       .peel = peel.amount,
-                       .peelSide = peel.side,
-                       .peelTurn = peel.turn,
-                       .peelDepth = peel.depth,
-                       .peelRadius = peel.radius,
-                       .peelMargin = peel.margin};
+  scene.look.method = methods::Peel{.amount = peel.amount,
+                                    .side = peel.side,
+                                    .turn = peel.turn,
+                                    .depth = peel.depth,
+                                    .radius = peel.radius,
+                                    .margin = peel.margin};
   return scene;
 }
 
@@ -230,17 +229,17 @@ TEST(Peeler, KeepsWhatHasNotChangedAndForgetsWhatIsNotUsed) {
   const auto lit = peeler.of(scene);
   EXPECT_EQ(lit->scene.volume, first->scene.volume);
   EXPECT_EQ(lit->scene.look.shading.ambient, 0.9);
-  for (double Method::*number :
-       {&Method::peel, &Method::peelTurn, &Method::peelDepth, &Method::peelRadius, &Method::peelMargin}) {
+  for (double methods::Peel::*number : {&methods::Peel::amount, &methods::Peel::turn, &methods::Peel::depth,
+                                        &methods::Peel::radius, &methods::Peel::margin}) {
     Scene other = scene;
-    other.look.method.*number += 0.125;
+    other.look.method.of<methods::Peel>().*number += 0.125;
     EXPECT_FALSE(peeler.knows(other));
   }
   Scene other = scene;
   other.look.focus = std::monostate{};
   EXPECT_FALSE(peeler.knows(other));
   EXPECT_TRUE(peeler.of(other)) << "without a focus, it opens the volume's middle";
-  other.look.method.peel = 0.0;
+  other.look.method.of<methods::Peel>().amount = 0.0;
   EXPECT_TRUE(peeler.knows(other));
   EXPECT_EQ(peeler.of(other), nullptr);
   EXPECT_FALSE(peeler.knows(scene));

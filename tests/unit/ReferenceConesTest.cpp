@@ -160,7 +160,7 @@ TEST(ReferenceCones, TheBorderRunsAroundWhatTheyOpen) {
   // A point 20 mm deep under a flat context, cones of 45°: a round opening of 20 pixels of 1 mm.
   Scene scene = labelScene(gridOf({41, 41, 41}), [](glm::ivec3 i) { return i == glm::ivec3(20); });
   scene.look.context.function = opaqueFrom(-1.0);
-  scene.look.method = {.kind = MethodKind::Cone, .coneAngle = 45.0};
+  scene.look.method = methods::Cone{.angle = 45.0};
   scene.look.cutaway.openWidth = 500.0;
   scene.look.cutaway.borderWidth = 3.0;
   const Camera camera = lookAt({20.0, -100.0, 20.0}, {20.0, 0.0, 20.0}, Projection::Orthographic, 41.0);
@@ -186,7 +186,7 @@ TEST(ReferenceCones, FaintIsAShareOfWhatIsRemoved) {
   const Camera camera = Camera::standard(StandardView::Anterior, scene.volume->grid, Projection::Orthographic);
   Camera close = camera;
   close.orthographicHeight = 8.0;
-  scene.look.method = {.kind = MethodKind::Importance, .importance = ImportanceMode::Average, .importanceOpacity = 0.3};
+  scene.look.method = methods::Importance{.mode = ImportanceMode::Average, .opacity = 0.3};
   // Hit points take an extinction of more than 1/255 over 1 mm for context: from the box's face, y = -½, to the
   // focus's surface, y = 19.5.
   const double opacity = 0.3 * -std::expm1(-extinction * 20.0);
@@ -196,13 +196,13 @@ TEST(ReferenceCones, FaintIsAShareOfWhatIsRemoved) {
     EXPECT_LT(glm::distance(glm::dvec3(picture.final[i]), expected), 1e-5);
     EXPECT_GT(picture.focusLayer[i].a, 0.999);
   }
-  scene.look.method.sparseness = Sparseness::Colour;
+  scene.look.method.of<methods::Importance>().sparseness = Sparseness::Colour;
   const glm::dvec4 grey = reference::picture(scene, close, {8, 8}).final[27];
   const double luminance = 0.2126 * colour.r + 0.7152 * colour.g + 0.0722 * colour.b;
   EXPECT_LT(glm::distance(glm::dvec3(grey),
                           opacity * glm::dvec3(luminance) + (1.0 - opacity) * glm::dvec3(picture.focusLayer[27])),
             1e-5);
-  scene.look.method.sparseness = Sparseness::ScreenDoor;
+  scene.look.method.of<methods::Importance>().sparseness = Sparseness::ScreenDoor;
   const Picture dotted = reference::picture(scene, close, {8, 8});
   int shown = 0;
   for (std::size_t i = 0; i < 64; ++i) shown += glm::distance(dotted.final[i], dotted.focusLayer[i]) > 0.1;

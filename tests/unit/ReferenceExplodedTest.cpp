@@ -24,8 +24,7 @@ Scene block(double extinction, int planes, double degree) {
   scene.look.context.function = {{{50.0, {colour, extinction}}, {150.0, {colour, extinction}}}};
   scene.look.focusAppearance = {{0.2, 0.3, 0.9}, 2.0, {}};
   scene.look.shading.enabled = false;
-  scene.look.method = {
-      .kind = MethodKind::Explode, .explosion = degree, .explosionPlanes = static_cast<ExplosionPlanes>(planes - 1)};
+  scene.look.method = methods::Explode{.degree = degree, .planes = static_cast<ExplosionPlanes>(planes - 1)};
   return scene;
 }
 
@@ -133,7 +132,7 @@ TEST(ReferenceExploded, ItsPartsAreClippedPicturesLaidOverEachOther) {
       scene.volume = volumeOf<float>(scene.volume->grid, [](glm::ivec3 i) { return 60.0 + 0.05 * i.y * i.y + i.x; });
       scene.look.context.function.nodes[1].properties = {{0.1, 0.9, 0.3}, 0.2};
       scene.look.shading.enabled = true;
-      scene.look.method.explosionAxes = axes;
+      scene.look.method.of<methods::Explode>().axes = axes;
       const Camera camera = Camera::fromAngles(25.0, 15.0, scene.volume->grid);
       const Picture here = picture(scene, camera, size);
       std::vector<glm::dvec4> laid(here.final.size(), glm::dvec4(0.0));

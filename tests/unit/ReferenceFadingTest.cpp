@@ -77,7 +77,7 @@ Scene hazyRamp(bool lit) {
   scene.look.context.function = {{{-10.0, {colour, 0.2}}, {2000.0, {colour, 0.2}}}};
   scene.look.focusAppearance = {{0.2, 0.3, 0.9}, 0.4, {}};
   scene.look.shading.enabled = lit;
-  scene.look.method = {.kind = MethodKind::ContextPreserving, .fadeReach = 4.0, .fadeSharpness = 0.7};
+  scene.look.method = methods::ContextPreserving{.reach = 4.0, .sharpness = 0.7};
   return scene;
 }
 
@@ -101,7 +101,8 @@ glm::dvec4 composited(const Scene& scene, const Camera& camera, glm::ivec2 pixel
     const glm::dvec3 at = inIndex.origin + t * inIndex.direction;
     const double slope = std::min(glm::length(gradientAt(*scene.volume, at)) / steepestSlope(*scene.volume), 1.0);
     const double exponent =
-        std::pow(method.fadeReach * (1.0 - range.distance(t)) * (1.0 - sum.a), method.fadeSharpness);
+        std::pow(method.of<methods::ContextPreserving>().reach * (1.0 - range.distance(t)) * (1.0 - sum.a),
+                 method.of<methods::ContextPreserving>().sharpness);
     const OpticalProperties shown = scene.look.context.function.evaluate(interpolated(grid, at, valueAt));
     const double opacity = -std::expm1(-shown.extinction * step) * std::pow(slope, exponent);
     sum += (1.0 - sum.a) * opacity * glm::dvec4(shown.colour, 1.0);
@@ -135,7 +136,7 @@ TEST(ReferenceFading, WithoutReachOrOffItIsPlainRendering) {
     Scene scene = hazyRamp(lit);
     const Camera camera = from(scene, Projection::Perspective);
     const Picture faded = picture(scene, camera, size);
-    scene.look.method.fadeReach = 0.0;
+    scene.look.method.of<methods::ContextPreserving>().reach = 0.0;
     const Picture none = picture(scene, camera, size);
     scene.look.cutaway.enabled = false;
     const Picture plain = picture(scene, camera, size);

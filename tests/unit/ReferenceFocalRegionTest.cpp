@@ -73,7 +73,7 @@ Scene evenRamp(const Method& method) {
 }
 
 Method regionOf(FocalShape shape, double radius, double fallOff) {
-  return {.kind = MethodKind::FocalRegion, .focalShape = shape, .focalSize = radius, .focalFallOff = fallOff};
+  return methods::FocalRegion{.shape = shape, .size = radius, .fallOff = fallOff};
 }
 
 /// Looks along an axis of the world at the middle of the volume; the picture's middle pixel has it in its centre.
@@ -112,9 +112,9 @@ using Outside = std::function<double(glm::dvec3 world, glm::dvec3 index)>;
 Outside outsideAround(glm::dvec3 middle, const Method& method) {
   return [=](glm::dvec3 world, glm::dvec3) {
     const glm::dvec3 from = world - middle;
-    if (method.focalShape == FocalShape::Box)
-      return glm::length(glm::max(glm::abs(from) - method.focalSize, glm::dvec3(0.0)));
-    return std::max(glm::length(from) - method.focalSize, 0.0);
+    if (method.of<methods::FocalRegion>().shape == FocalShape::Box)
+      return glm::length(glm::max(glm::abs(from) - method.of<methods::FocalRegion>().size, glm::dvec3(0.0)));
+    return std::max(glm::length(from) - method.of<methods::FocalRegion>().size, 0.0);
   };
 }
 
@@ -130,7 +130,7 @@ Outside outsideOfLabel(const Scene& scene, std::uint16_t label) {
     double& least = distances[grid.offset(voxel)];
     for (const glm::dvec3 each : held) least = std::min(least, glm::distance(each, glm::dvec3(voxel) * grid.spacing));
   });
-  return [grid, distances, size = scene.look.method.focalSize](glm::dvec3, glm::dvec3 index) {
+  return [grid, distances, size = scene.look.method.of<methods::FocalRegion>().size](glm::dvec3, glm::dvec3 index) {
     return std::max(interpolated(grid, index, [&](glm::ivec3 voxel) { return distances[grid.offset(voxel)]; }) - size,
                     0.0);
   };
@@ -151,7 +151,7 @@ glm::dvec4 summed(const Scene& scene, const Camera& camera, glm::ivec2 pixel, co
     double share = 1.0;
     if (outside > 0.0)
       share = std::min(glm::length(gradientAt(*scene.volume, at)) / steepestSlope(*scene.volume), 1.0) *
-              std::pow(0.5, outside / scene.look.method.focalFallOff);
+              std::pow(0.5, outside / scene.look.method.of<methods::FocalRegion>().fallOff);
     const double value = interpolated(grid, at, [&](glm::ivec3 voxel) { return scene.volume->value(voxel); });
     const OpticalProperties shown = scene.look.context.function.evaluate(value);
     sum += (1.0 - sum.a) * -std::expm1(-shown.extinction * share * step) * glm::dvec4(shown.colour, 1.0);
@@ -248,7 +248,7 @@ TEST(ReferenceFocalRegion, WithEverythingInsideOrOffItIsPlainRendering) {
       scene.look.shading.enabled = lit;
       const Camera camera = Camera::fromAngles(20.0, 15.0, scene.volume->grid);
       const Picture faded = picture(scene, camera, size);
-      scene.look.method.focalSize = 1e5;
+      scene.look.method.of<methods::FocalRegion>().size = 1e5;
       const Picture inside = picture(scene, camera, size);
       scene.look.cutaway.enabled = false;
       const Picture plain = picture(scene, camera, size);

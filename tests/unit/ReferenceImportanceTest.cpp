@@ -39,7 +39,7 @@ Scene stackScene(const Stack& stack) {
   scene.volume = volumeOf<std::uint8_t>(grid, [](glm::ivec3 i) { return i.y >= 5 ? 200 : 0; });
   scene.look.context.function = opaqueFrom(100.0);
   scene.look.focus = LabelFocus{{3}};
-  scene.look.method = {.kind = MethodKind::Importance, .importanceAngle = 45.0};
+  scene.look.method = methods::Importance{.angle = 45.0};
   return scene;
 }
 
@@ -107,7 +107,7 @@ TEST(ReferenceImportance, SteepConesLeaveTheRestOfEachDisc) {
   // behind.
   const Stack stack;
   Scene scene = stackScene(stack);
-  scene.look.method.importanceAngle = 1.0;
+  scene.look.method.of<methods::Importance>().angle = 1.0;
   setLevels(scene, {{1, 1}, {2, 2}, {3, 3}});
   const Stages stages = geometricStages(scene, along(), size);
   // Away from the rims, of radius 4, 8 and 13 mm, which are rounded over a voxel.
@@ -150,7 +150,7 @@ TEST(ReferenceImportance, NothingImportantOpensNothing) {
   Scene scene = stackScene({});
   setLevels(scene, {{3, 0}});
   for (const ImportanceMode mode : {ImportanceMode::Maximum, ImportanceMode::Average}) {
-    scene.look.method.importance = mode;
+    scene.look.method.of<methods::Importance>().mode = mode;
     const Stages stages = geometricStages(scene, along(), size);
     for (std::size_t i = 0; i < stages.tStart.size(); ++i) {
       if (std::isnan(stages.hits.tContext[i])) continue;
@@ -191,7 +191,7 @@ Scene blobScene(std::mt19937& random) {
   scene.volume = volumeOf<std::uint8_t>(
       grid, [&](glm::ivec3 i) { return glm::distance(glm::dvec3(i), grid.centre()) < 9.5 ? 200 : 0; });
   scene.look.context.function = opaqueFrom(100.0);
-  scene.look.method.kind = MethodKind::Importance;
+  scene.look.method.kind = kindOf<methods::Importance>;
   return scene;
 }
 
@@ -207,8 +207,8 @@ TEST(ReferenceImportance, APointIsGoneWhereItLiesBeforeTheCutOfAHigherLevelAndNo
     const auto levels = importanceLevels(scene);
     if (levels.empty()) continue;
     const bool onCones = run % 2 == 0;
-    scene.look.method.importance = onCones ? ImportanceMode::Maximum : ImportanceMode::Average;
-    scene.look.method.importanceAngle = 20.0;
+    scene.look.method.of<methods::Importance>().mode = onCones ? ImportanceMode::Maximum : ImportanceMode::Average;
+    scene.look.method.of<methods::Importance>().angle = 20.0;
     const Camera camera = Camera::fromAngles(40.0 * run, 10.0, scene.volume->grid,
                                              run % 4 < 2 ? Projection::Perspective : Projection::Orthographic);
     const Stages stages = geometricStages(scene, camera, size);

@@ -41,7 +41,7 @@ Scene planeBeforeBall() {
   scene.look.focusAppearance = {{0.2, 0.3, 0.9}, 100.0, {}};
   scene.look.contextLayer.strength = 0.0;
   scene.look.shading.enabled = false;
-  scene.look.method.kind = MethodKind::ClearView;
+  scene.look.method.kind = kindOf<methods::ClearView>;
   return scene;
 }
 
@@ -50,7 +50,7 @@ TEST(ReferenceLens, OverAPlaneItMixesByTheDistance) {
   closed.look.cutaway.enabled = false;
   const Picture plain = picture(closed, parallel(), size);
   for (const double radius : {12.0, 18.2, 30.0}) {
-    scene.look.method.lensRadius = radius;
+    scene.look.method.of<methods::ClearView>().radius = radius;
     const Picture here = picture(scene, parallel(), size);
     const double mm = 0.01 * radius * 46.0;  // of the longest side
     int mixed = 0, onLine = 0;
@@ -76,7 +76,7 @@ TEST(ReferenceLens, LiesOverTheCrosshair) {
   PictureOptions aside;
   aside.slices.crosshair = glm::dvec3(23.0, 30.0, 18.0);
   const Picture overFocus = picture(scene, parallel(), size, aside);
-  scene.look.method.lensPlace = LensPlace::OverCrosshair;
+  scene.look.method.of<methods::ClearView>().place = LensPlace::OverCrosshair;
   const Picture overCrosshair = picture(scene, parallel(), size, aside), unset = picture(scene, parallel(), size);
   for (std::size_t i = 0; i < unset.lens.size(); ++i) {
     EXPECT_NEAR(overFocus.lens[i].w, glm::distance(onPlane(i, 8.0), before), 1e-9);
@@ -88,9 +88,9 @@ TEST(ReferenceLens, LiesOverTheCrosshair) {
 TEST(ReferenceLens, KeepsTheContextBesideTheFocus) {
   Scene scene = planeBeforeBall(), closed = scene;
   closed.look.cutaway.enabled = false;
-  scene.look.method.lensRadius = 100.0;  // no line in the picture
+  scene.look.method.of<methods::ClearView>().radius = 100.0;  // no line in the picture
   for (const LensFade fade : {LensFade::Distance, LensFade::Curvature, LensFade::Depth}) {
-    scene.look.method.lensFade = fade;
+    scene.look.method.of<methods::ClearView>().fade = fade;
     const Picture here = picture(scene, parallel(), size), plain = picture(closed, parallel(), size);
     const HitPoints hits = hitPoints(scene, parallel(), size);
     for (std::size_t i = 0; i < plain.final.size(); ++i) {
@@ -103,14 +103,14 @@ TEST(ReferenceLens, KeepsTheContextBesideTheFocus) {
 
 TEST(ReferenceLens, OtherFadesKeepTheirOwn) {
   Scene scene = planeBeforeBall();
-  scene.look.method.lensRadius = 40.0;
+  scene.look.method.of<methods::ClearView>().radius = 40.0;
   const HitPoints hits = hitPoints(scene, parallel(), size);
   std::vector<glm::ivec2> pixels;
   for (int j = 0; j < size.y; ++j)
     for (int i = 0; i < size.x; ++i) pixels.emplace_back(i, j);
-  scene.look.method.lensFade = LensFade::Curvature;
+  scene.look.method.of<methods::ClearView>().fade = LensFade::Curvature;
   const std::vector<LensPoint> bends = lensPoints(scene, parallel(), size, hits, pixels);
-  scene.look.method.lensFade = LensFade::Depth;
+  scene.look.method.of<methods::ClearView>().fade = LensFade::Depth;
   const std::vector<LensPoint> depths = lensPoints(scene, parallel(), size, hits, pixels);
   int within = 0;
   for (std::size_t i = 0; i < pixels.size(); ++i) {
@@ -131,9 +131,9 @@ TEST(ReferenceLens, BendsOfABallAreThoseOfItsNormals) {
   scene.labels = labelsOf(grid, [](glm::ivec3 i) { return glm::distance(glm::dvec3(i), middle) < 4.0 ? 1 : 0; });
   scene.look.focus = LabelFocus{{1}};
   scene.look.context.function = opaqueFrom(86.0);
-  scene.look.method.kind = MethodKind::ClearView;
-  scene.look.method.lensFade = LensFade::Curvature;
-  scene.look.method.lensRadius = 100.0;
+  scene.look.method.kind = kindOf<methods::ClearView>;
+  scene.look.method.of<methods::ClearView>().fade = LensFade::Curvature;
+  scene.look.method.of<methods::ClearView>().radius = 100.0;
   const HitPoints hits = hitPoints(scene, parallel(), size);
   std::vector<glm::ivec2> pixels;
   for (int j = 12; j < 33; ++j)
@@ -145,7 +145,7 @@ TEST(ReferenceLens, BendsOfABallAreThoseOfItsNormals) {
     return glm::dvec3(-aside.x, aside.y, deep) / 14.0;
   };
   for (const double scale : {1.0, 3.0}) {
-    scene.look.method.lensBends = scale;
+    scene.look.method.of<methods::ClearView>().bends = scale;
     const std::vector<LensPoint> points = lensPoints(scene, parallel(), size, hits, pixels);
     for (std::size_t i = 0; i < pixels.size(); ++i) {
       glm::dvec3 sum(0.0);

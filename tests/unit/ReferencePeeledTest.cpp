@@ -17,13 +17,12 @@ namespace {
 using namespace tests;
 
 Method methodOf(const MethodStages::Peel& peel) {
-  return {.kind = MethodKind::Peel,
-          .peel = peel.amount,
-          .peelSide = peel.side,
-          .peelTurn = peel.turn,
-          .peelDepth = peel.depth,
-          .peelRadius = peel.radius,
-          .peelMargin = peel.margin};
+  return methods::Peel{.amount = peel.amount,
+                       .side = peel.side,
+                       .turn = peel.turn,
+                       .depth = peel.depth,
+                       .radius = peel.radius,
+                       .margin = peel.margin};
 }
 
 /// Values that vary everywhere, in a body within air, with three labels; the focus has a share of its radius.
@@ -226,7 +225,7 @@ TEST(ReferencePeeled, ARolledBallIsSeenWhereItsPointsGo) {
 
 TEST(ReferencePeeled, AtAmountZeroItIsThePlainPicture) {
   Scene scene = lively<std::int16_t>(gridOf({20, 20, 20}), peels.front());
-  scene.look.method.peel = 0.0;
+  scene.look.method.of<methods::Peel>().amount = 0.0;
   EXPECT_FALSE(peeledScene(scene));
   const Camera camera = Camera::fromAngles(20.0, 15.0, scene.volume->grid);
   const Picture here = picture(scene, camera, size);

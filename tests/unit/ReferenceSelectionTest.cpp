@@ -21,7 +21,7 @@ constexpr double extinction = 0.15;
 const glm::dvec3 colour(0.9, 0.6, 0.3), focusColour(0.2, 0.3, 0.9);
 
 Method ghosted(double strength, double edge, double outline) {
-  return {.kind = MethodKind::Selection, .ghostStrength = strength, .ghostEdge = edge, .ghostOutline = outline};
+  return methods::Selection{.strength = strength, .edge = edge, .outline = outline};
 }
 
 /// Haze of one extinction, and behind it, seen from the front, the focus: all values of 2 and more.
@@ -125,7 +125,7 @@ glm::dvec4 summed(const Scene& scene, const Camera& camera, const Stages& stages
   const bool opened = stages.tStart[i] > stages.hits.tContext[i] || !std::isnan(stages.hits.tFocus[i]);
   const Method& method = scene.look.method;
   const auto& focus = std::get<ValueFocus>(scene.look.focus);
-  const double step = (span->tOut - span->tIn) / count, half = 0.01 * method.ghostEdge;
+  const double step = (span->tOut - span->tIn) / count, half = 0.01 * method.of<methods::Selection>().edge;
   for (int k = 0; k < count; ++k) {
     const double t = span->tIn + (k + 0.5) * step;
     const glm::dvec3 at = inIndex.origin + t * inIndex.direction;
@@ -139,9 +139,9 @@ glm::dvec4 summed(const Scene& scene, const Camera& camera, const Stages& stages
       const glm::dvec3 inWorld =
           glm::transpose(glm::dmat3(volume.grid.indexFromWorld())) * gradientAt(volume, at) / steepestSlope(volume);
       const double length = glm::length(inWorld), cosine = glm::dot(inWorld, ray.direction) / std::max(length, 1e-30);
-      const double edge =
-          length * length / (length * length + half * half) * (1.0 - method.ghostOutline * cosine * cosine);
-      shown.extinction *= 1.0 - method.ghostStrength * (1.0 - edge);
+      const double edge = length * length / (length * length + half * half) *
+                          (1.0 - method.of<methods::Selection>().outline * cosine * cosine);
+      shown.extinction *= 1.0 - method.of<methods::Selection>().strength * (1.0 - edge);
     }
     sum += (1.0 - sum.a) * -std::expm1(-shown.extinction * step) * glm::dvec4(shown.colour, 1.0);
   }
@@ -199,7 +199,7 @@ TEST(ReferenceSelection, WithoutStrengthOrFocusOrCutawayItIsPlainRendering) {
     const Camera camera = Camera::fromAngles(20.0, 15.0, scene.volume->grid);
     const Picture ghost = picture(scene, camera, size);
     Scene weak = scene, off = scene, unfocused = scene, never = scene;
-    weak.look.method.ghostStrength = 0.0;
+    weak.look.method.of<methods::Selection>().strength = 0.0;
     off.look.cutaway.enabled = false;
     unfocused.look.focus = {};
     never.look.focus = {};

@@ -31,7 +31,7 @@ glm::dvec2 placeOf(glm::ivec2 pixel) {
 Scene rampAlongX() {
   Scene scene;
   scene.volume = volumeOf(grid, [](glm::ivec3 i) { return 10.0 * i.x; });
-  scene.look.method = {.kind = MethodKind::Walls};
+  scene.look.method = methods::Walls{};
   scene.look.context.function = {{{0.0, {glm::dvec3(1.0), 0.0}}}};
   return scene;
 }
@@ -48,7 +48,7 @@ glm::dvec4 at(const std::vector<glm::dvec4>& picture, glm::ivec2 pixel) {
 
 TEST(ReferenceWalls, ColoursAreGreysUnderTheWindow) {
   Scene scene = rampAlongX();
-  scene.look.method.wallOutlines = false;
+  scene.look.method.of<methods::Walls>().outlines = false;
   ShownSlices slices{.crosshair = glm::dvec3(3.0, 15.0, 4.0), .window = WindowLevel{100.0, 100.0}};
   for (const bool inverted : {false, true}) {
     slices.inverted = inverted;
@@ -128,7 +128,7 @@ Scene openedBlock() {
   scene.look.focus = LabelFocus{{1}};
   scene.look.context.function = opaqueFrom(50.0);
   scene.look.cutaway.openWidth = 12.0;
-  scene.look.method = {.kind = MethodKind::Walls, .wallPlacement = WallPlacement::Inside, .wallOutlines = false};
+  scene.look.method = methods::Walls{.placement = WallPlacement::Inside, .outlines = false};
   return scene;
 }
 
@@ -136,7 +136,7 @@ Scene openedBlock() {
 /// and the cut face behind it, on rays beside the focus.
 TEST(ReferenceWalls, InsideTheOpeningTheyShowInWhatIsRemoved) {
   Scene scene = openedBlock();
-  scene.look.method.wallAxial = scene.look.method.wallSagittal = false;
+  scene.look.method.of<methods::Walls>().axial = scene.look.method.of<methods::Walls>().sagittal = false;
   const Camera camera = front();
   const Stages stages = geometricStages(scene, camera, size);
   PictureOptions options;

@@ -38,8 +38,9 @@ struct Three {
 };
 static_assert(memberCount<Three>() == 3);
 
-// A new member must be declared in rendering/settings/Settings.h, or be one of those that are no settings.
-static_assert(declared<Method> == memberCount<Method>());
+// A new member must be declared in rendering/settings/Settings.h or its method's folder, or be one of those that are no
+// settings.
+static_assert(declared<Method> == 1, "the kind; methods have theirs");
 static_assert(declared<Cutaway> == memberCount<Cutaway>());
 static_assert(declared<ContextLayer> == memberCount<ContextLayer>());
 static_assert(declared<Shading> == memberCount<Shading>());
@@ -50,10 +51,18 @@ static_assert(declared<BrushStroke> + 1 == memberCount<BrushStroke>(), "all but 
 static_assert(declared<Look> + 11 == memberCount<Look>(),
               "all but the parts above, the focus, the labels, clipping, the strokes and the removals");
 
+template <class... M>
+constexpr bool allDeclared(MethodTypes<M...>) {
+  return ((declared<M> == memberCount<M>()) && ...);
+}
+static_assert(allDeclared(Methods{}));
+
 template <class T>
 class SettingsOf : public testing::Test {};
-using Owners = testing::Types<Method, Cutaway, ContextLayer, Shading, FocusAppearance, ValueFocus, ContextFunction,
-                              Look, BrushStroke>;
+template <class... M>
+auto ownersWith(MethodTypes<M...>) -> testing::Types<M..., Method, Cutaway, ContextLayer, Shading, FocusAppearance,
+                                                     ValueFocus, ContextFunction, Look, BrushStroke>;
+using Owners = decltype(ownersWith(Methods{}));
 TYPED_TEST_SUITE(SettingsOf, Owners);
 
 TYPED_TEST(SettingsOf, HaveDefaultsAndSlidersInTheirRanges) {
@@ -83,6 +92,14 @@ TYPED_TEST(SettingsOf, HaveKeysAndDescriptionsOfTheirOwn) {
   });
 }
 
+/// Sessions hold the parameters of all methods side by side.
+TEST(Settings, KeysOfMethodsAreNamedOnce) {
+  std::set<std::string> keys{settingOf(&Method::kind).key};
+  forEachMethod([&]<class M>() {
+    forEachSetting<M>([&](const auto& setting) { EXPECT_TRUE(keys.insert(setting.key).second) << setting.key; });
+  });
+}
+
 TEST(Settings, OptionsAreNamedOnce) {
   std::set<std::string> options;
   const auto collect = [&]<class T>(T) {
@@ -92,6 +109,7 @@ TEST(Settings, OptionsAreNamedOnce) {
     });
   };
   collect(Method{});
+  forEachMethod([&]<class M>() { collect(M{}); });
   collect(Cutaway{});
   collect(ContextLayer{});
   collect(Shading{});

@@ -152,7 +152,7 @@ TEST(Walls, HaveNoSmoothEdges) {
   Look look;
   look.edges = Edges::Smooth;
   EXPECT_TRUE(hasSmoothEdges(look, {}));
-  look.method.kind = MethodKind::Walls;
+  look.method.kind = kindOf<methods::Walls>;
   EXPECT_FALSE(hasSmoothEdges(look, {}));
   look.cutaway.enabled = false;
   EXPECT_TRUE(hasSmoothEdges(look, {})) << "there are no walls";

@@ -100,7 +100,7 @@ void applyRemedy(BrushObstacle obstacle, Brush& brush, Document& document) {
       look.cutaway.enabled = true;
       return document.edit(Brush::tr("Open the context"), std::move(look));
     case BrushObstacle::NothingIsCut:
-      look.method.kind = MethodKind::Adaptive;
+      look.method.kind = kindOf<methods::Adaptive>;
       return document.edit(Brush::tr("Method"), std::move(look));
     case BrushObstacle::EdgesOff:
       look.contextLayer.strength = ContextLayer{}.strength;

@@ -65,8 +65,7 @@ Carving::Carving(Document& document, QObject* parent) : StrokeMode(parent), docu
 
 bool Carving::isOffered() const {
   const Look& look = document_.look();
-  return document_.hasVolume() && look.cutaway.enabled &&
-         (look.method.kind == MethodKind::Sculpt || look.method.kind == MethodKind::Bend);
+  return document_.hasVolume() && look.cutaway.enabled && carves(look.method.kind);
 }
 
 void Carving::setSettings(const CarvingSettings& settings) {

@@ -46,8 +46,8 @@ Look ContextAnimation::shown(Look look) const {
   if (!isRunning()) return look;
   look.cutaway.enabled = true;
   look.method = moving_;
-  look.method.explosion *= animation_.currentValue().toDouble();
-  look.method.peel *= animation_.currentValue().toDouble();
+  look.method.of<methods::Explode>().degree *= animation_.currentValue().toDouble();
+  look.method.of<methods::Peel>().amount *= animation_.currentValue().toDouble();
   return look;
 }
 

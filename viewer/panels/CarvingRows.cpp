@@ -76,8 +76,8 @@ void CarvingRows::followMethod() {
   if (std::exchange(method_, kind) == kind) return;
   CarvingSettings settings = carving_.settings();
   const bool bends = settings.shape == RemovalShape::Plane;
-  if (kind == MethodKind::Bend) settings.shape = RemovalShape::Plane;
-  if (kind == MethodKind::Sculpt && bends) settings.shape = RemovalShape::Ball;
+  if (kind == kindOf<methods::Bend>) settings.shape = RemovalShape::Plane;
+  if (kind == kindOf<methods::Sculpt> && bends) settings.shape = RemovalShape::Ball;
   carving_.setSettings(settings);
 }
 

@@ -5,7 +5,7 @@
 #include <QToolButton>
 #include <QWidget>
 
-#include "rendering/settings/Method.h"
+#include "rendering/methods/Method.h"
 
 namespace fenestra::viewer {
 

@@ -2,15 +2,17 @@
 // How the view is opened to the focus: the method, its opening and its border. It is low and never scrolls, so that
 // both widths are always in sight.
 
+#include <optional>
+
 #include <QWidget>
 
 #include "viewer/panels/LookControls.h"
+#include "viewer/panels/MethodRows.h"
 
 namespace fenestra::viewer {
 
 class Carving;
 class CarvingRows;
-class ImportanceList;
 
 class CutawayPanel : public QWidget {
   Q_OBJECT
@@ -24,7 +26,6 @@ class CutawayPanel : public QWidget {
  private:
   void layOut();
   void apply(int openingLook);
-  void addMethod(QFormLayout& form);
   void show();
   void showMethod();
 
@@ -34,17 +35,11 @@ class CutawayPanel : public QWidget {
   QCheckBox* enabled_;
   SliderSpin *openWidth_, *borderWidth_, *axisOffset_;
   QDoubleSpinBox* axisDirection_;
-  QHBoxLayout *axis_, *importance_, *lens_, *wallPlanes_;
+  QHBoxLayout* axis_;
   QFormLayout* form_;
-  QComboBox *method_, *importanceMode_, *sparseness_, *lensPlace_, *lensFade_, *focalShape_, *wallPlacement_,
-      *explosionPlanes_, *explosionAxes_, *peelSide_;
-  SliderSpin *coneAngle_, *importanceAngle_, *importanceOpacity_, *lensRadius_, *lensBends_, *fadeReach_,
-      *fadeSharpness_, *focalSize_, *focalFallOff_, *explosion_, *ghostStrength_, *ghostEdge_, *ghostOutline_, *peel_,
-      *peelTurn_, *peelDepth_, *peelRadius_, *peelMargin_;
-  QDoubleSpinBox* lensRim_;
-  QCheckBox *wallAxial_, *wallSagittal_, *wallCoronal_, *wallOutlines_;
+  QComboBox* method_;
+  std::optional<MethodRows> methodRows_;
   CarvingRows* carving_;
-  ImportanceList* importanceLevels_;
   QComboBox *look_, *unit_;
   ColourButton* colour_;
 };

@@ -1,8 +1,11 @@
 #pragma once
 // Controls for the settings of one part of a document's look, made from their declarations in
-// rendering/settings/Settings.h: range, step, unit and tool tip. A change is a step of the history, as is a whole drag.
+// rendering/settings/Settings.h and rendering/methods: range, step, unit and tool tip. A change is a step of the
+// history, as is a whole drag.
 
+#include <concepts>
 #include <functional>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -23,9 +26,10 @@ namespace fenestra::viewer {
 template <class Part>
 class LookControls {
  public:
-  /// `step` names the steps of the history, with %1 for the setting's name.
-  LookControls(Document& document, Part Look::*part, QString step = QStringLiteral("%1"))
-      : document_(document), part_(part), step_(std::move(step)) {}
+  /// `partOf` is a member of Look, or gives a reference to the part of a look. `step` names the steps of the history,
+  /// with %1 for the setting's name.
+  LookControls(Document& document, auto partOf, QString step = QStringLiteral("%1"))
+      : document_(document), part_(partOf), shownPart_(partOf), step_(std::move(step)) {}
   LookControls(const LookControls&) = delete;  // its controls refer to it
   LookControls& operator=(const LookControls&) = delete;
 
@@ -74,6 +78,20 @@ class LookControls {
     });
     return added(setting, choice, show);
   }
+  /// The control that fits a setting: for a number with a step a slider.
+  template <class Value>
+  QWidget* control(const Setting<Part, Value>& setting) {
+    if constexpr (std::same_as<Value, bool>)
+      return box(setting.member);
+    else if constexpr (std::same_as<Value, glm::dvec3>)
+      return colour(setting.member);
+    else if constexpr (std::is_enum_v<Value>)
+      return choice(setting.member);
+    else if (setting.step > 0.0)
+      return slider(setting.member);
+    else
+      return spin(setting.member, 1.0);
+  }
   /// A row of the setting's name and its slider.
   SliderSpin* addRow(QFormLayout& form, double Part::*member) {
     SliderSpin* control = slider(member);
@@ -83,7 +101,7 @@ class LookControls {
 
   /// Shows the values of the document's look.
   void show() const {
-    for (const auto& show : shows_) show(document_.look().*part_);
+    for (const auto& show : shows_) show(shownPart_(document_.look()));
   }
   void setEnabled(bool enabled) const {
     for (QWidget* control : controls_) control->setEnabled(enabled);
@@ -93,7 +111,7 @@ class LookControls {
   template <class Value>
   void set(const Setting<Part, Value>& setting, const Value& value) {
     Look look = document_.look();
-    (look.*part_).*setting.member = value;
+    part_(look).*setting.member = value;
     document_.edit(step_.arg(translated(setting.name)), std::move(look));
   }
 
@@ -113,7 +131,8 @@ class LookControls {
   }
 
   Document& document_;
-  Part Look::*part_;
+  std::function<Part&(Look&)> part_;
+  std::function<const Part&(const Look&)> shownPart_;
   QString step_;
   std::vector<QWidget*> controls_;
   std::vector<std::function<void(const Part&)>> shows_;

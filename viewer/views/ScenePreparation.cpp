@@ -17,14 +17,14 @@
 namespace fenestra::viewer {
 namespace {
 
-/// The parts of a method that decide on programs.
-Method programsOf(const Method& method) {
-  Method result;
-  result.kind = method.kind;
-  result.importance = method.importance;
-  result.sparseness = method.sparseness;
-  result.wallPlacement = method.wallPlacement;
-  return result;
+/// The parameters of the chosen method that decide on programs; all others have their defaults.
+ChosenMethod programsOf(const Method& method) {
+  return std::visit(
+      []<class M>(const M& chosen) -> ChosenMethod {
+        if constexpr (requires { chosen.programs(); }) return chosen.programs();
+        return M{};
+      },
+      method.chosen());
 }
 
 /// A few voxels of CT with a focus of the kind; the programs that draw them also draw a patient.
@@ -101,7 +101,7 @@ ScenePreparation::Kind ScenePreparation::kindOf(const Scene& scene, const View& 
           .lit = look.shading.enabled,
           .cutaway = hasCutaway(scene),
           .method = hasCutaway(scene) || fadingOf(look) || wallsOf(look) || explosionOf(look) ? programsOf(look.method)
-                                                                                              : Method(),
+                                                                                              : ChosenMethod(),
           .occluded = hasOcclusion(look),
           .contextLayer = look.contextLayer.strength > 0.0,
           .clipped = halfSpaces(look.clipping, scene.volume->grid).empty() && !explosionOf(look) ? 0

@@ -50,7 +50,7 @@ class ScenePreparation {
     std::size_t focus = 0;
     bool manyLabels = false, smoothed = false, byValue = false, protects = false, faint = false, lit = false,
          cutaway = false;
-    Method method{};        ///< its kind and switches, without its numbers
+    ChosenMethod method{};  ///< without the numbers that decide on no program
     bool occluded = false;  ///< ambient occlusion or shadows
     bool contextLayer = false;
     int clipped = 0;       ///< 2: with grey faces

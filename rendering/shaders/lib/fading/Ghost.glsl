@@ -1,4 +1,4 @@
-// What the opening of a selection would remove is ghosted (MethodStages::Fading::Ghost in rendering/settings/Method.h; the
+// What the opening of a selection would remove is ghosted (rendering/methods/selection/Selection.h; the
 // interface is described in None.glsl).
 #include "lib/Crossing.glsl"
 #include "lib/fading/Settings.glsl"

@@ -2,7 +2,7 @@
 //
 // ContextPreserving.glsl, FocalRegion.glsl, FocalDistance.glsl and Ghost.glsl have the same interface; `#include <fading>`
 // names the one that the picture needs. They say what the context's extinction is multiplied by (MethodStages::Fading in
-// rendering/settings/Method.h): a factor, of which they give the binary logarithm.
+// rendering/vocabulary/MethodStages.h): a factor, of which they give the binary logarithm.
 //   FADES             whether any of the context may fade
 //   FOLLOWS_LIGHT     whether what lies before a point on the ray decides; else its place does
 //   BORDERS_IN_TURN   whether wholeBehind() tells the next border alone

@@ -1,7 +1,7 @@
 // Nothing stays of what the opening removes.
 //
 // Opacity.glsl, Colour.glsl, ScreenDoor.glsl and Lens.glsl have the same interface; `#include <faint>` names the one that the
-// method needs (Sparseness and MethodStages::Lens in rendering/settings/Method.h, which has the formulas):
+// method needs (rendering/vocabulary/MethodStages.h and rendering/methods/clearview/ClearView.h have the formulas):
 //   HAS_LENS    whether a lens says how much stays
 //   faintShare  the share that stays at a pixel. `last`: of the picture; `hit`: context and focus hit
 //   withFaint   a pixel's colour, premultiplied, behind what stays

@@ -1,10 +1,12 @@
 #pragma once
-// What a declaration of a setting is; Settings.h has them all.
+// What a declaration of a setting is. rendering/settings/Settings.h has those of a look, each folder of
+// rendering/methods those of its method.
 
+#include <concepts>
 #include <limits>
 #include <tuple>
 
-#include "rendering/settings/SettingWords.h"
+#include "rendering/vocabulary/Word.h"
 
 namespace fenestra {
 
@@ -43,5 +45,22 @@ struct Setting : Declaration {
 /// All settings of `Owner`, in the order in which files and panels show them; empty for other structs.
 template <class Owner>
 inline constexpr std::tuple settingsOf{};
+
+/// Calls use(setting) for every setting of `Owner`.
+template <class Owner>
+constexpr void forEachSetting(auto&& use) {
+  std::apply([&](const auto&... setting) { (use(setting), ...); }, settingsOf<Owner>);
+}
+
+/// The declaration of a member, as in settingOf(&Cutaway::openWidth).
+template <class Owner, class Value>
+constexpr const Setting<Owner, Value>& settingOf(Value Owner::*member) {
+  const Setting<Owner, Value>* found = nullptr;
+  forEachSetting<Owner>([&](const auto& setting) {
+    if constexpr (std::same_as<decltype(setting), const Setting<Owner, Value>&>)
+      if (setting.member == member) found = &setting;
+  });
+  return *found;
+}
 
 }  // namespace fenestra
