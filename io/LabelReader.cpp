@@ -98,13 +98,18 @@ std::map<std::uint16_t, std::string> namesBeside(const fs::path& path) {
   return {};
 }
 
-/// Label values as stored, checked to be labels and scaled as the header says.
+/// Label values as stored, checked to be labels and scaled as the header says. Headers round a scale such as SPM's
+/// 1/255 to single precision or six digits, so that a scaled label is whole only within a millionth of its terms.
 std::vector<std::uint16_t> labelsOf(const Voxels& voxels, const ImageFile& image) {
+  const bool scaled = image.slope != 1.0 || image.intercept != 0.0;
   std::vector<std::uint16_t> labels(voxels.count());
   voxels.visit([&](auto scalars) {
     parallelFor(scalars.size(), 1 << 20, [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i) {
-        const double value = image.slope * static_cast<double>(scalars[i]) + image.intercept;
+        const double term = image.slope * static_cast<double>(scalars[i]);
+        double value = term + image.intercept;
+        const double whole = std::round(value);
+        if (scaled && std::abs(value - whole) <= 1e-6 * (std::abs(term) + std::abs(image.intercept))) value = whole;
         if (!(value >= 0.0 && value <= greatestLabel) || value != std::floor(value)) {
           const auto text = std::isfinite(value) ? std::to_string(value) : std::string("no number");
           throw Error(image.path, "is no label map: it holds the value " + text,
@@ -193,7 +198,7 @@ bool isSameGrid(const Grid& a, const Grid& b) {
 LabelsOnGrid readImageLabels(const fs::path& path, Format format, const Grid& target, const Progress& progress,
                              bool allowOutside) {
   ImageFile image = readImageHeader(path, format, allowOutside);
-  checkGeometry(path, image.grid);
+  checkGeometry(image);
   const std::vector<Segment> segments = slicerSegments(image);
   if (image.layers() > 1 && segments.empty())
     throw Error(path, "holds " + std::to_string(image.layers()) + " volumes, not one label map",

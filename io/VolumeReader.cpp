@@ -4,8 +4,6 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <locale>
-#include <sstream>
 #include <stdexcept>
 
 #include "io/Probe.h"
@@ -60,14 +58,6 @@ std::int64_t chosenLayer(const ImageFile& image, const OpenOptions& options) {
               "list its series with: fenestra-cli info " + image.path.string());
 }
 
-/// A number as people write it, whatever the locale.
-std::string plain(double number) {
-  std::ostringstream text;
-  text.imbue(std::locale::classic());
-  text << number;
-  return text.str();
-}
-
 /// Takes a volume whose file names no modality for a CT where its values are those of one, and says so.
 void recogniseCt(const fs::path& path, Volume& volume, OpenedVolume& opened) {
   if (volume.modality != Modality::Unknown || !looksLikeCt(volume)) return;
@@ -75,14 +65,14 @@ void recogniseCt(const fs::path& path, Volume& volume, OpenedVolume& opened) {
   volume.unit = "HU";
   opened.series.modality = "CT";
   opened.warnings.push_back({Warning::Kind::Recognised,
-                             "the file names no modality; its values (" + plain(volume.range.low) + " to " +
-                                 plain(volume.range.high) +
+                             "the file names no modality; its values (" + plainNumber(volume.range.low) + " to " +
+                                 plainNumber(volume.range.high) +
                                  ") are taken for Hounsfield units of a CT, --modality MR or other says otherwise",
                              {path}});
 }
 
 OpenedVolume openImage(ImageFile image, const OpenOptions& options) {
-  checkGeometry(image.path, image.grid);
+  checkGeometry(image);
   OpenedVolume opened;
   opened.format = image.format;
   const std::int64_t layer = chosenLayer(image, options);

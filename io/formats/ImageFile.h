@@ -8,7 +8,9 @@
 #include <cstdint>
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "io/base/ByteStream.h"
@@ -48,6 +50,7 @@ struct ImageFile {
   std::int64_t volumes = 1;             ///< volumes one after the other
   Modality modality = Modality::Unknown;
   std::vector<Warning> warnings;
+  std::string unknownUnit;                    ///< of length, read as millimetres; empty: there is none
   std::map<std::string, std::string> fields;  ///< the file's own key/value pairs (NRRD)
   VoxelSource source;
 
@@ -59,6 +62,12 @@ void setDims(ImageFile& image, std::int64_t x, std::int64_t y, std::int64_t z);
 /// Sets spacing, direction and origin from the columns of an affine (world LPS mm from index). Returns false, and
 /// leaves the grid, when the columns are not three finite independent vectors.
 bool setGeometry(Grid& grid, const glm::dmat3& columns, const glm::dvec3& origin);
+/// `unit`'s length in mm. Where the word is unknown, warns that lengths are read as millimetres; checkGeometry() names
+/// the unit then.
+double millimetresOf(ImageFile& image, std::string_view unit);
+/// Numbers of the header's field `name`, also with decimal commas, which a warning then tells; empty unless every word
+/// is a number.
+std::optional<std::vector<double>> headerNumbers(ImageFile& image, const std::string& name, const std::string& text);
 /// "name%03d.raw" with a number in place of the one integer conversion. Throws Error (naming `header`) for other
 /// patterns.
 std::string numberedName(const std::string& pattern, long number, const std::filesystem::path& header);
@@ -78,6 +87,9 @@ ImageFile readMetaImageHeader(const std::filesystem::path& path);
 ImageFile readMghHeader(const std::filesystem::path& path);
 ImageFile readAnalyzeHeader(const std::filesystem::path& path);
 ImageFile describeRaw(const std::filesystem::path& path, const RawDescription& description);
+
+/// Throws Error when the geometry is not plausible.
+void checkGeometry(const ImageFile& image);
 
 /// Throws Error when the header names voxel files that are neither in its own folder nor below it: a header from a
 /// stranger could name any file of the machine.

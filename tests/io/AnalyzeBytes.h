@@ -19,6 +19,7 @@ struct AnalyzeSpec {
   float slope = 0, offset = 0;
   char orientation = 0;
   std::array<std::int16_t, 3> origin{0, 0, 0};
+  std::string unit{};  ///< of up to three characters
 };
 
 inline std::string analyzeHeader(const AnalyzeSpec& spec) {
@@ -32,6 +33,7 @@ inline std::string analyzeHeader(const AnalyzeSpec& spec) {
   bytes[38] = 'r';
   put(40, static_cast<std::int16_t>(spec.dims.size()));
   for (std::size_t i = 0; i < spec.dims.size(); ++i) put(42 + 2 * i, spec.dims[i]);
+  bytes.replace(56, spec.unit.size(), spec.unit);
   put(70, spec.datatype);
   for (std::size_t i = 0; i < 3; ++i) put(80 + 4 * i, spec.spacing[i]);
   put(108, spec.offset);

@@ -24,7 +24,12 @@ std::string textsOf(const std::vector<io::Warning>& warnings) {
 
 /// The warnings when the row's file is opened: a volume's warnings, or those of the labels on their volume's grid.
 std::vector<io::Warning> warningsOf(const Defect& defect, const fs::path& path) {
-  if (defect.labelsOf.empty()) return io::openVolume(path, defect.options()).warnings;
+  if (defect.labelsOf.empty()) {
+    const io::OpenedVolume opened = io::openVolume(path, defect.options());
+    for (int axis = 0; defect.spacing && axis < 3; ++axis)
+      EXPECT_NEAR(opened.volume->grid.spacing[axis], (*defect.spacing)[axis], 1e-6 * (*defect.spacing)[axis]);
+    return opened.warnings;
+  }
   const Grid grid = io::openVolume(path.parent_path() / defect.labelsOf).volume->grid;
   return io::openLabels(path, grid).warnings;
 }
