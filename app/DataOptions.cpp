@@ -118,12 +118,21 @@ Option addLabelChoice(Command command, io::DataRequest& request, std::vector<std
   const Option phantom = command.option("--phantom");
   const Option labels =
       command
-          .add("--labels", "FILE", "label map, DICOM SEG or RTSTRUCT, resampled to the volume where its grid differs",
+          .add("--labels", "PATH",
+               "label map, DICOM SEG or RTSTRUCT, or a folder of masks, resampled to the volume where its grid differs",
                [&request](const std::string& text) {
                  request.labels = text;
                  return !text.empty();
                })
           .excludes(phantom);
+  const Option table = command
+                           .add("--label-table", "FILE",
+                                "names and colours of the labels: a table of ITK-SNAP, FreeSurfer, 3D Slicer or BIDS",
+                                [&request](const std::string& text) {
+                                  request.labelTable = text;
+                                  return !text.empty();
+                                })
+                           .excludes(phantom);
   const Option focusLabels = command.add("--focus-labels", "LABEL,...", "labels to open the view to, by value or name",
                                          [&chosen](const std::string& text) {
                                            chosen = io::split(text, ',');
@@ -133,6 +142,8 @@ Option addLabelChoice(Command command, io::DataRequest& request, std::vector<std
   command.whenRead([=, &request] {
     if (focusLabels.isGiven() && !labels.isGiven() && !phantom.isGiven() && !io::isSession(request.path))
       throw MissingOption{"--labels, --phantom or a session", "--focus-labels"};
+    if (table.isGiven() && !labels.isGiven() && !io::isSession(request.path))
+      throw MissingOption{"--labels or a session", "--label-table"};
   });
   return focusLabels;
 }

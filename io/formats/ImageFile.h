@@ -15,6 +15,7 @@
 
 #include "io/base/ByteStream.h"
 #include "io/base/FileStart.h"
+#include "io/base/LabelReading.h"
 #include "io/base/Reading.h"
 #include "io/base/VoxelSink.h"
 
@@ -86,6 +87,9 @@ ImageFile readNrrdHeader(const std::filesystem::path& path);
 ImageFile readMetaImageHeader(const std::filesystem::path& path);
 ImageFile readMghHeader(const std::filesystem::path& path);
 ImageFile readAnalyzeHeader(const std::filesystem::path& path);
+/// The label table in the extensions of a NIfTI header; empty where there is none. Labels may have noColour. `image` is
+/// what readNiftiHeader() gave.
+std::vector<Label> niftiLabels(const ImageFile& image);
 ImageFile describeRaw(const std::filesystem::path& path, const RawDescription& description);
 
 /// Throws Error when the geometry is not plausible.

@@ -31,6 +31,11 @@ struct SessionData {
   bool operator==(const SessionData&) const = default;
 };
 
+struct SessionLabels : SessionData {
+  std::filesystem::path table;  ///< of names and colours, chosen for them; absolute; empty: none
+  bool operator==(const SessionLabels&) const = default;
+};
+
 struct SessionVolume : SessionData {
   std::string series;                 ///< seriesKey() of its id; empty where the file holds one volume
   int time = 1;                       ///< time point outside DICOM, where each is a series
@@ -83,7 +88,7 @@ struct SessionOverlays {
 struct Session {
   SessionVolume volume;
   std::optional<SessionPhantom> phantom;
-  SessionData labels;
+  SessionLabels labels;
   Look look;
   Quality quality = Quality::Normal;
   std::optional<double> maxError;    ///< see View::maxError

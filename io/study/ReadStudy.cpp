@@ -41,8 +41,9 @@ void openSession(const DataRequest& request, Study& study, const Progress& progr
   else if (isSession(request.path))
     study.sessionFile = request.path;
   if (!study.session.phantom) return openSessionData(request, study, progress);
-  if (!request.data.empty() || !request.labels.empty())
-    throw Error(request.path, "shows a phantom, which is not read from files", "leave out --data and --labels");
+  if (!request.data.empty() || !request.labels.empty() || !request.labelTable.empty())
+    throw Error(request.path, "shows a phantom, which is not read from files",
+                "leave out --data, --labels and --label-table");
   makePhantom(*study.session.phantom, study, progress);
 }
 
@@ -59,10 +60,11 @@ void openFiles(const DataRequest& request, Study& study, const Progress& progres
   study.session.volume = sessionVolume(request.path, study, options);
   if (request.labels.empty()) return;
   OpenedLabels opened =
-      openLabels(request.labels, study.scene.volume->grid, partOf(progress, volumeShare, 1.0), request.allowOutside);
+      openLabels(request.labels, study.scene.volume->grid, partOf(progress, volumeShare, 1.0), request.allowOutside,
+                 request.labelTable);
   study.scene.labels = std::move(opened.labels);
   std::move(opened.warnings.begin(), opened.warnings.end(), std::back_inserter(study.warnings));
-  study.session.labels = sessionLabels(request.labels);
+  study.session.labels = sessionLabels(request.labels, request.labelTable);
 }
 
 void setContext(const StudyRequest& request, Study& study) {

@@ -29,6 +29,7 @@ struct DataRequest {
   std::optional<Regularise> regularise;  ///< unset: Automatic, or the session's
   std::optional<Modality> modality;      ///< unset: as the file says, or recognised
   std::filesystem::path labels;          ///< file of a label map; empty: the session's or phantom's own
+  std::filesystem::path labelTable;      ///< of names and colours; empty: the map's own, or the session's
   std::optional<Session> session;        ///< that `path` was read as, or that lay in the folder of `path`
   std::filesystem::path data;            ///< where a session's volume is now; empty: where it says
   /// The session is an automatic copy that was not saved. It takes the place of the session that `autosaveOf` names.

@@ -17,9 +17,12 @@ io::OpenOptions Defect::options() const {
 }
 
 std::vector<std::string> Defect::command(const std::filesystem::path& path) const {
-  if (!labelsOf.empty())
-    return {"convert", (path.parent_path() / labelsOf).string(), "--labels", path.string(),
-            "-o",      (path.parent_path() / "out.nii").string()};
+  if (!labelsOf.empty()) {
+    std::vector<std::string> words{"convert", (path.parent_path() / labelsOf).string(), "--labels", path.string(),
+                                   "-o",      (path.parent_path() / "out.nii").string()};
+    if (!labelTable.empty()) words.insert(words.end(), {"--label-table", (path.parent_path() / labelTable).string()});
+    return words;
+  }
   std::vector<std::string> arguments{"info", path.string()};
   if (!raw.empty()) arguments.insert(arguments.end(), {"--raw", raw});
   if (time) arguments.insert(arguments.end(), {"--time", std::to_string(*time)});
@@ -41,7 +44,7 @@ std::string testNameOf(const Defect& defect) {
 
 std::vector<Defect> allDefects() {
   std::vector<Defect> all;
-  for (const auto& part : {dicomDefects(), fileDefects(), meaningDefects(), labelDefects()})
+  for (const auto& part : {dicomDefects(), fileDefects(), meaningDefects(), labelDefects(), labelNameDefects()})
     all.insert(all.end(), part.begin(), part.end());
   return all;
 }

@@ -1,6 +1,6 @@
 #pragma once
 // A table of damaged, incomplete and contradictory files: how each is made, and the error or warning that it must give.
-// A row is added in DicomDefects.cpp, FileDefects.cpp, MeaningDefects.cpp or LabelDefects.cpp.
+// A row is added in DicomDefects.cpp, FileDefects.cpp, MeaningDefects.cpp, LabelDefects.cpp or LabelNameDefects.cpp.
 
 #include <filesystem>
 #include <functional>
@@ -35,10 +35,12 @@ struct Defect {
   /// Writes the files into an empty folder and returns the path to open. Throws MissingTestData.
   std::function<std::filesystem::path(const std::filesystem::path& folder)> make;
   Expected expected;
-  std::string raw = {};                    ///< description of raw voxels
-  std::optional<int> time = {};            ///< time point to open
-  std::optional<glm::dvec3> spacing = {};  ///< mm, that the volume must have
-  std::string labelsOf = {};               ///< name of the volume beside the file, where the file holds labels
+  std::string raw = {};                      ///< description of raw voxels
+  std::optional<int> time = {};              ///< time point to open
+  std::optional<glm::dvec3> spacing = {};    ///< mm, that the volume must have
+  std::string labelsOf = {};                 ///< name of the volume beside the file, where the file holds labels
+  std::string labelTable = {};               ///< name of the table beside the file that is chosen for them
+  std::vector<std::string> labelNames = {};  ///< "value name" or "value name #rrggbb" of labels that the file must have
 
   io::OpenOptions options() const;
   /// The words after `fenestra-cli` that open `path`.
@@ -53,6 +55,8 @@ std::vector<Defect> fileDefects();
 /// Whole files whose headers mean something that a reader may get wrong: units, commas, axes.
 std::vector<Defect> meaningDefects();
 std::vector<Defect> labelDefects();
+/// Label maps with tables of names and colours, and folders of masks.
+std::vector<Defect> labelNameDefects();
 /// All of the above.
 std::vector<Defect> allDefects();
 

@@ -58,6 +58,7 @@ inline io::Session fullSession(const std::filesystem::path& folder) {
   session.volume.modality = Modality::CT;
   session.labels.path = folder / "labels.nii.gz";
   session.labels.contents = contents;
+  session.labels.table = folder / "names.ctbl";
   session.look.focus = ValueFocus{{-1000.5, 3071.0}, 12.5};
   session.look.labels = {
       {2, LabelRole::Hidden, false, 1.0 / 3.0, glm::dvec3(0.1, 0.0, 1.0), {}, 3},
