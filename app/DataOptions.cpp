@@ -58,8 +58,8 @@ void addSeries(Command command, io::DataRequest& request, Option phantom) {
       .excludes(phantom);
 }
 
-Option addRaw(Command command, io::DataRequest& request, Option phantom) {
-  return command
+void addRaw(Command command, io::DataRequest& request, Option phantom) {
+  command
       .add("--raw", "WxHxD:TYPE[:le|be][:skip=BYTES]", "how to read PATH's bytes, e.g. 256x256x128:uint16:be:skip=512",
            [&request](const std::string& text) {
              try {
@@ -99,18 +99,21 @@ void addVolumeOptions(Command command, io::DataRequest& request, std::function<v
   command.group("Volume");
   const Option phantom = addSource(command, request, std::move(onSession));
   addSeries(command, request, phantom);
-  const Option raw = addRaw(command, request, phantom);
+  addRaw(command, request, phantom);
   addReading(command, request, phantom);
   // --raw has been read by now.
   command
-      .add("--spacing", "X,Y,Z", "mm between the voxels of --raw",
+      .add("--spacing", "X,Y,Z", "mm between the voxels of --raw, or of a TIFF stack",
            [&request](const std::string& text) {
              const std::optional<glm::dvec3> spacing = parseVector(text);
              if (!spacing || !glm::all(glm::greaterThan(*spacing, glm::dvec3(0.0)))) return false;
-             if (request.raw) request.raw->spacing = *spacing;
+             if (request.raw)
+               request.raw->spacing = *spacing;
+             else
+               request.spacing = *spacing;
              return true;
            })
-      .needs(raw);
+      .excludes(phantom);
   command.group("Options");
 }
 

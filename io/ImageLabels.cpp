@@ -150,11 +150,29 @@ bool isSameGrid(const Grid& a, const Grid& b) {
   return true;
 }
 
+/// A stack of TIFF has no place: one of the volume's size lies on it voxel by voxel.
+void placeOn(const Grid& target, ImageFile& image) {
+  const auto sizeOf = [](const glm::ivec3& dims) {
+    return std::to_string(dims.x) + " x " + std::to_string(dims.y) + " x " + std::to_string(dims.z);
+  };
+  if (image.grid.dims != target.dims)
+    throw Error(image.path,
+                "has " + sizeOf(image.grid.dims) + " voxels where the volume has " + sizeOf(target.dims) +
+                    ", and TIFF does not say where they lie",
+                "open a label map of the volume's size, or one of a format with places, such as NIfTI");
+  image.grid = target;
+  std::erase_if(image.warnings, [](const Warning& warning) { return warning.kind == Warning::Kind::NoGeometry; });
+  image.warnings.push_back({Warning::Kind::NoGeometry,
+                            "TIFF says no place; the labels are laid on the volume voxel by voxel",
+                            {image.path}});
+}
+
 }  // namespace
 
 LabelsOnGrid readImageLabels(const fs::path& path, Format format, const Grid& target, const Progress& progress,
                              bool allowOutside) {
   ImageFile image = readImageHeader(path, format, allowOutside);
+  if (format == Format::Tiff) placeOn(target, image);
   checkGeometry(image);
   const std::vector<Segment> segments = slicerSegments(image);
   if (image.layers() > 1 && segments.empty())

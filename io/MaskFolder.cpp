@@ -71,11 +71,13 @@ struct LeftOut {
 
 std::vector<fs::path> maskFiles(const fs::path& folder) {
   std::vector<fs::path> files;
-  for (const auto& entry : fs::directory_iterator(folder)) {
+  std::error_code failure;
+  for (fs::directory_iterator entry(folder, failure); !failure && entry != fs::directory_iterator();
+       entry.increment(failure)) {
     std::error_code unknown;
-    const std::string_view ending = volumeEnding(entry.path());
+    const std::string_view ending = volumeEnding(entry->path());
     // A pair is named by its header.
-    if (entry.is_regular_file(unknown) && !ending.empty() && ending != ".img") files.push_back(entry.path());
+    if (entry->is_regular_file(unknown) && !ending.empty() && ending != ".img") files.push_back(entry->path());
   }
   std::sort(files.begin(), files.end(), [](const fs::path& a, const fs::path& b) {
     return isBeforeNaturally(a.filename().string(), b.filename().string());

@@ -8,7 +8,8 @@
 
 namespace fenestra::io {
 
-/// The volume files of a folder, in their natural order; not those of the folders in it.
+/// The volume files of a folder, in their natural order; not those of the folders in it. Empty where the
+/// folder cannot be listed.
 std::vector<std::filesystem::path> maskFiles(const std::filesystem::path& folder);
 
 /// The masks of a folder as one label map on `target`: labels are numbered from 1 in the files' natural order and named

@@ -51,6 +51,7 @@ std::uint64_t unpackedBytes(const fs::path& file, std::uint64_t offset, Packing 
 std::unique_ptr<ByteStream> openShare(const ImageFile& image, const fs::path& file, std::uint64_t bytes,
                                       std::uint64_t begin) {
   const VoxelSource& source = image.source;
+  if (source.open) return source.open(begin);
   const std::uint64_t offset = offsetAfterLines(source, file);
   if (source.packing == Packing::None && source.text == VoxelText::None) {
     const std::uint64_t size = fileBytes(file);
@@ -77,6 +78,7 @@ std::unique_ptr<ByteStream> openShare(const ImageFile& image, const fs::path& fi
 void checkSizes(const ImageFile& image, std::uint64_t voxels, std::uint64_t bytes) {
   const VoxelSource& source = image.source;
   checkMemory(image.path, saturatingProduct(voxels, sizeOf(image.type)));
+  if (source.open) return;
   if (source.files.empty() || bytes % source.files.size() != 0)
     throw Error(image.path, "its voxels do not divide among its " + std::to_string(source.files.size()) + " data files",
                 "check the header's sizes and its list of data files");
@@ -111,8 +113,8 @@ void checkSizes(const ImageFile& image, std::uint64_t voxels, std::uint64_t byte
 /// their sinks.
 void appendBlock(const ImageFile& image, std::span<std::byte> block, std::size_t volume, Layers layers,
                  std::vector<VoxelSink>& sinks) {
-  const bool swap =
-      image.source.text != VoxelText::Decimal && image.bigEndian != (std::endian::native == std::endian::big);
+  const bool swap = image.source.text != VoxelText::Decimal && !image.source.open &&
+                    image.bigEndian != (std::endian::native == std::endian::big);
   const auto interleaved = static_cast<std::size_t>(image.interleaved);
   const auto first = static_cast<std::size_t>(layers.first);
   visitElement(image.type, [&](auto scalar) {
@@ -253,7 +255,8 @@ std::vector<Voxels> readVoxels(const ImageFile& image, Layers layers, const Prog
   for (std::size_t layer = first; layer < end; ++layer) sinks.emplace_back(static_cast<std::size_t>(voxels));
 
   const std::size_t voxelBytes = sizeOf(image.type) * interleaved;
-  const std::uint64_t share = bytes / image.source.files.size(), begin = voxels * voxelBytes * firstVolume;
+  const std::uint64_t share = image.source.open ? bytes : bytes / image.source.files.size(),
+                      begin = voxels * voxelBytes * firstVolume;
   const std::uint64_t wanted = voxels * voxelBytes * (endVolume - firstVolume);
   auto file = static_cast<std::size_t>(begin / share);
   std::uint64_t leftInFile = share - begin % share;

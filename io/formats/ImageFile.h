@@ -7,7 +7,9 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -38,6 +40,9 @@ struct VoxelSource {
   std::int64_t skip = 0;     ///< then bytes to skip, of the unpacked data; atEnd: the voxels are the last bytes
   Packing packing = Packing::None;
   VoxelText text = VoxelText::None;
+  /// Where the voxels are no stretch of bytes of the files: opens all of them, in this machine's byte order, from a
+  /// byte on. The reader of the header has checked that the files can hold them.
+  std::function<std::unique_ptr<ByteStream>(std::uint64_t begin)> open = {};
 };
 
 struct ImageFile {
@@ -51,6 +56,7 @@ struct ImageFile {
   std::int64_t volumes = 1;             ///< volumes one after the other
   Modality modality = Modality::Unknown;
   std::vector<Warning> warnings;
+  std::string missingSpacing;                 ///< why the size of voxels has to be asked for; empty: it is known
   std::string unknownUnit;                    ///< of length, read as millimetres; empty: there is none
   std::map<std::string, std::string> fields;  ///< the file's own key/value pairs (NRRD)
   VoxelSource source;
@@ -79,6 +85,9 @@ bool looksLikeNifti(const FileStart& start);
 bool looksLikeNrrd(const FileStart& start);
 bool looksLikeMetaImage(const FileStart& start);
 bool looksLikeMgh(const FileStart& start);
+bool looksLikeTiff(const FileStart& start);
+/// Whether a folder holds files that are named as TIFF.
+bool hasTiffFiles(const std::filesystem::path& folder);
 bool looksLikeAnalyze(const FileStart& start);
 
 /// Each reads the header alone and throws Error for what cannot become a scalar volume.
@@ -90,6 +99,8 @@ ImageFile readAnalyzeHeader(const std::filesystem::path& path);
 /// The label table in the extensions of a NIfTI header; empty where there is none. Labels may have noColour. `image` is
 /// what readNiftiHeader() gave.
 std::vector<Label> niftiLabels(const ImageFile& image);
+/// A TIFF file, or a folder of numbered ones. `spacing` as in OpenOptions.
+ImageFile readTiffHeader(const std::filesystem::path& path, const std::optional<glm::dvec3>& spacing);
 ImageFile describeRaw(const std::filesystem::path& path, const RawDescription& description);
 
 /// Throws Error when the geometry is not plausible.

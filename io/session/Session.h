@@ -40,6 +40,7 @@ struct SessionVolume : SessionData {
   std::string series;                 ///< seriesKey() of its id; empty where the file holds one volume
   int time = 1;                       ///< time point outside DICOM, where each is a series
   std::optional<RawDescription> raw;  ///< how its bytes are read
+  std::optional<glm::dvec3> spacing;  ///< mm, told for a file that does not say it
   Regularise regularise = Regularise::Automatic;
   std::optional<Modality> modality;  ///< as in OpenedVolume
   bool operator==(const SessionVolume&) const = default;

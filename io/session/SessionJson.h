@@ -105,6 +105,8 @@ void members(auto& io, Is<SessionVolume> auto& volume) {
               {"sha256:HEX of the series' id as fenestra-cli info gives it; the id itself leads to the patient"});
   io.optional("time", volume.time, volume.time != 1, {1.0, 1e6}, {"Time point, from 1, of a file that holds several"});
   io.optional("raw", volume.raw, volume.raw.has_value(), {}, {"How the bytes of a file without a header are read"});
+  io.optional("spacing", volume.spacing, volume.spacing.has_value(), positiveMillimetres,
+              {"Between voxel centres, told for a file that does not say it", "mm"});
   io.optional("regularise", volume.regularise, volume.regularise != Regularise::Automatic, {},
               {"Whether slices that lie unevenly or askew are resampled onto even planes"});
   io.optional("modality", volume.modality, volume.modality.has_value(), {},

@@ -31,8 +31,9 @@ void makePhantom(const SessionPhantom& phantom, Study& study, const Progress& pr
 }
 
 void openSession(const DataRequest& request, Study& study, const Progress& progress) {
-  if (!request.series.empty() || request.raw || request.time || request.modality)
-    throw Error(request.path, "records how its volume is read", "leave out --series, --time, --raw and --modality");
+  if (!request.series.empty() || request.raw || request.spacing || request.time || request.modality)
+    throw Error(request.path, "records how its volume is read",
+                "leave out --series, --time, --raw, --spacing and --modality");
   study.session = request.session ? *request.session : readSession(request.path);
   study.restoresSession = true;
   study.isRecovered = request.isRecovered;
@@ -52,6 +53,7 @@ void openFiles(const DataRequest& request, Study& study, const Progress& progres
   OpenOptions options{.series = request.series,
                       .time = request.time,
                       .raw = request.raw,
+                      .spacing = request.spacing,
                       .allowOutside = request.allowOutside,
                       .regularise = request.regularise.value_or(Regularise::Automatic),
                       .modality = request.modality,

@@ -187,6 +187,7 @@ OpenedVolume openSessionVolume(const DataRequest& request, SessionVolume& data, 
     options.series = data.series;
     if (data.time > 1) options.time = data.time;
     options.raw = data.raw;
+    options.spacing = data.spacing;
     options.allowOutside = request.allowOutside;
     options.progress = partOf(progress, 0.0, 0.7);
     OpenedVolume volume;
@@ -204,6 +205,7 @@ OpenedVolume openSessionVolume(const DataRequest& request, SessionVolume& data, 
   const auto filesAt = [&](const fs::path& path) {
     OpenOptions options;
     options.raw = data.raw;
+    options.spacing = data.spacing;
     options.allowOutside = request.allowOutside;
     for (const SeriesInfo& series : listSeries(path, options))
       if (data.series.empty() || data.series == seriesKey(series.id)) return filesOf(path, series.files);
@@ -250,6 +252,7 @@ SessionVolume sessionVolume(const fs::path& path, const VolumeInfo& volume, cons
   else
     data.time = std::max(volume.series.time, 1);
   data.raw = options.raw;
+  data.spacing = options.spacing;
   data.regularise = options.regularise;
   data.modality = volume.modality;
   return data;

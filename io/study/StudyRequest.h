@@ -25,6 +25,7 @@ struct DataRequest {
   std::string series;          ///< as in OpenOptions
   std::optional<int> time;     ///< time point, from 1
   std::optional<RawDescription> raw;
+  std::optional<glm::dvec3> spacing;     ///< see OpenOptions
   bool allowOutside = false;             ///< see OpenOptions
   std::optional<Regularise> regularise;  ///< unset: Automatic, or the session's
   std::optional<Modality> modality;      ///< unset: as the file says, or recognised

@@ -3,6 +3,7 @@
 #include <cctype>
 
 #include "io/VolumeReader.h"
+#include "io/base/Text.h"
 
 namespace fenestra::tests {
 
@@ -13,6 +14,7 @@ io::OpenOptions Defect::options() const {
   io::OpenOptions options;
   if (!raw.empty()) options.raw = io::parseRawDescription(raw);
   options.time = time;
+  options.spacing = told;
   return options;
 }
 
@@ -25,6 +27,9 @@ std::vector<std::string> Defect::command(const std::filesystem::path& path) cons
   }
   std::vector<std::string> arguments{"info", path.string()};
   if (!raw.empty()) arguments.insert(arguments.end(), {"--raw", raw});
+  if (told)
+    arguments.insert(arguments.end(), {"--spacing", io::plainNumber(told->x) + "," + io::plainNumber(told->y) + "," +
+                                                        io::plainNumber(told->z)});
   if (time) arguments.insert(arguments.end(), {"--time", std::to_string(*time)});
   return arguments;
 }
@@ -44,7 +49,8 @@ std::string testNameOf(const Defect& defect) {
 
 std::vector<Defect> allDefects() {
   std::vector<Defect> all;
-  for (const auto& part : {dicomDefects(), fileDefects(), meaningDefects(), labelDefects(), labelNameDefects()})
+  for (const auto& part :
+       {dicomDefects(), fileDefects(), meaningDefects(), tiffDefects(), labelDefects(), labelNameDefects()})
     all.insert(all.end(), part.begin(), part.end());
   return all;
 }

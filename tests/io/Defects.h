@@ -1,6 +1,7 @@
 #pragma once
 // A table of damaged, incomplete and contradictory files: how each is made, and the error or warning that it must give.
-// A row is added in DicomDefects.cpp, FileDefects.cpp, MeaningDefects.cpp, LabelDefects.cpp or LabelNameDefects.cpp.
+// A row is added in DicomDefects.cpp, FileDefects.cpp, MeaningDefects.cpp, TiffDefects.cpp, LabelDefects.cpp
+// or LabelNameDefects.cpp.
 
 #include <filesystem>
 #include <functional>
@@ -38,6 +39,7 @@ struct Defect {
   std::string raw = {};                      ///< description of raw voxels
   std::optional<int> time = {};              ///< time point to open
   std::optional<glm::dvec3> spacing = {};    ///< mm, that the volume must have
+  std::optional<glm::dvec3> told = {};       ///< mm, the size of voxels that the user says
   std::string labelsOf = {};                 ///< name of the volume beside the file, where the file holds labels
   std::string labelTable = {};               ///< name of the table beside the file that is chosen for them
   std::vector<std::string> labelNames = {};  ///< "value name" or "value name #rrggbb" of labels that the file must have
@@ -54,6 +56,7 @@ std::vector<Defect> dicomDefects();
 std::vector<Defect> fileDefects();
 /// Whole files whose headers mean something that a reader may get wrong: units, commas, axes.
 std::vector<Defect> meaningDefects();
+std::vector<Defect> tiffDefects();
 std::vector<Defect> labelDefects();
 /// Label maps with tables of names and colours, and folders of masks.
 std::vector<Defect> labelNameDefects();

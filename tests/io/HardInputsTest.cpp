@@ -87,8 +87,7 @@ TEST(HardInputs, AStructureSetWithOneWrongCountOpensWithoutThatContour) {
   // Its neighbours' planes reach half a plane into the gap.
   const auto all = valuesOf(*whole.labels), left = valuesOf(*opened.labels);
   EXPECT_EQ(opened.labels->labels.size(), whole.labels->labels.size());
-  for (std::size_t i = 0; i < all.size(); ++i)
-    EXPECT_TRUE(left[i] == 0 || left[i] == all[i]) << i;
+  for (std::size_t i = 0; i < all.size(); ++i) EXPECT_TRUE(left[i] == 0 || left[i] == all[i]) << i;
 }
 
 }  // namespace fenestra::tests

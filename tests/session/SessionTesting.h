@@ -54,6 +54,7 @@ inline io::Session fullSession(const std::filesystem::path& folder) {
   session.volume.time = 3;
   session.volume.raw =
       io::RawDescription{{3, 4, 5}, ScalarType::Int32, true, std::size_t{1} << 40, {0.1, 0.2, 0.30000000000000004}};
+  session.volume.spacing = glm::dvec3(0.01, 0.02, 1.0 / 3.0);
   session.volume.regularise = io::Regularise::Cubic;
   session.volume.modality = Modality::CT;
   session.labels.path = folder / "labels.nii.gz";
