@@ -1,6 +1,8 @@
 #include "app/DataOptions.h"
 
 #include <algorithm>
+#include <filesystem>
+#include <system_error>
 
 #include "app/options/Numbers.h"
 #include "app/options/WordOptions.h"
@@ -107,6 +109,10 @@ void addVolumeOptions(Command command, io::DataRequest& request, std::function<v
            [&request](const std::string& text) {
              const std::optional<glm::dvec3> spacing = parseVector(text);
              if (!spacing || !glm::all(glm::greaterThan(*spacing, glm::dvec3(0.0)))) return false;
+             // Which format a file has is known when it is read.
+             std::error_code unknown;
+             if (!request.raw && !std::filesystem::exists(request.path, unknown))
+               throw WrongValue{"needs --raw, or a stack of TIFF as PATH"};
              if (request.raw)
                request.raw->spacing = *spacing;
              else

@@ -236,6 +236,22 @@ void warnOfPages(const Stack& stack, ImageFile& image) {
        "say that they are to be turned or mirrored; they are shown as stored");
 }
 
+/// Says when a page alone is one of a series of files.
+void warnOfSiblings(ImageFile& image) {
+  const NumberedName name(image.path.filename().string());
+  if (name.numbers.empty()) return;
+  std::error_code failure;
+  std::size_t series = 0;
+  for (fs::directory_iterator entry(image.path.parent_path().empty() ? "." : image.path.parent_path(), failure);
+       !failure && entry != fs::directory_iterator(); entry.increment(failure))
+    if (isTiffName(entry->path()) && NumberedName(entry->path().filename().string()).form == name.form) ++series;
+  if (series > 1)
+    image.warnings.push_back({Warning::Kind::Other,
+                              "it is one of " + std::to_string(series) +
+                                  " files that are numbered alike; open their folder for the whole stack",
+                              {image.path}});
+}
+
 }  // namespace
 
 bool looksLikeTiff(const FileStart& start) {
@@ -261,6 +277,7 @@ ImageFile readTiffHeader(const fs::path& path, const std::optional<glm::dvec3>& 
   const std::vector<fs::path> files =
       fs::is_directory(path, unknown) ? seriesIn(path, image) : std::vector<fs::path>{path};
   const Stack stack = readStack(files);
+  if (files.front() == path && stack.pages.size() == 1) warnOfSiblings(image);
   image.source.files = files;
   warnOfPages(stack, image);
   if (files.size() != 1 || !setBarePages(stack, image)) setPages(stack, files.size(), image);

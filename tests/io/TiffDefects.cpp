@@ -125,6 +125,12 @@ std::vector<Defect> pageDefects() {
            error("has a page of 3 x 3 where the first page has 2 x 3")),
       told("folder of files of several lengths", stack({{"s1.tif", {.pages = 2}}, {"s2.tif", {.pages = 3}}}),
            error("has 3 pages where the first file has 2")),
+      told(
+          "page of a folder",
+          [=](const fs::path& folder) {
+            return stack({{"s1.tif", one(0)}, {"s2.tif", one(6)}})(folder) / "s2.tif";
+          },
+          warning("it is one of 2 files that are numbered alike")),
       told("folder of times", stack({{"t1.tif", {}}, {"t2.tif", {.first = 24}}}), warning("the file holds 2 volumes")),
       told(
           "folder with a damaged file",
