@@ -1,6 +1,8 @@
 #include "app/DataOptions.h"
 
 #include <algorithm>
+#include <filesystem>
+#include <system_error>
 
 #include "app/options/Numbers.h"
 #include "app/options/WordOptions.h"
@@ -58,8 +60,8 @@ void addSeries(Command command, io::DataRequest& request, Option phantom) {
       .excludes(phantom);
 }
 
-Option addRaw(Command command, io::DataRequest& request, Option phantom) {
-  return command
+void addRaw(Command command, io::DataRequest& request, Option phantom) {
+  command
       .add("--raw", "WxHxD:TYPE[:le|be][:skip=BYTES]", "how to read PATH's bytes, e.g. 256x256x128:uint16:be:skip=512",
            [&request](const std::string& text) {
              try {
@@ -99,18 +101,25 @@ void addVolumeOptions(Command command, io::DataRequest& request, std::function<v
   command.group("Volume");
   const Option phantom = addSource(command, request, std::move(onSession));
   addSeries(command, request, phantom);
-  const Option raw = addRaw(command, request, phantom);
+  addRaw(command, request, phantom);
   addReading(command, request, phantom);
   // --raw has been read by now.
   command
-      .add("--spacing", "X,Y,Z", "mm between the voxels of --raw",
+      .add("--spacing", "X,Y,Z", "mm between the voxels of --raw, or of a TIFF stack",
            [&request](const std::string& text) {
              const std::optional<glm::dvec3> spacing = parseVector(text);
              if (!spacing || !glm::all(glm::greaterThan(*spacing, glm::dvec3(0.0)))) return false;
-             if (request.raw) request.raw->spacing = *spacing;
+             // Which format a file has is known when it is read.
+             std::error_code unknown;
+             if (!request.raw && !std::filesystem::exists(request.path, unknown))
+               throw WrongValue{"needs --raw, or a stack of TIFF as PATH"};
+             if (request.raw)
+               request.raw->spacing = *spacing;
+             else
+               request.spacing = *spacing;
              return true;
            })
-      .needs(raw);
+      .excludes(phantom);
   command.group("Options");
 }
 
@@ -118,12 +127,21 @@ Option addLabelChoice(Command command, io::DataRequest& request, std::vector<std
   const Option phantom = command.option("--phantom");
   const Option labels =
       command
-          .add("--labels", "FILE", "label map, DICOM SEG or RTSTRUCT, resampled to the volume where its grid differs",
+          .add("--labels", "PATH",
+               "label map, DICOM SEG or RTSTRUCT, or a folder of masks, resampled to the volume where its grid differs",
                [&request](const std::string& text) {
                  request.labels = text;
                  return !text.empty();
                })
           .excludes(phantom);
+  const Option table = command
+                           .add("--label-table", "FILE",
+                                "names and colours of the labels: a table of ITK-SNAP, FreeSurfer, 3D Slicer or BIDS",
+                                [&request](const std::string& text) {
+                                  request.labelTable = text;
+                                  return !text.empty();
+                                })
+                           .excludes(phantom);
   const Option focusLabels = command.add("--focus-labels", "LABEL,...", "labels to open the view to, by value or name",
                                          [&chosen](const std::string& text) {
                                            chosen = io::split(text, ',');
@@ -133,6 +151,8 @@ Option addLabelChoice(Command command, io::DataRequest& request, std::vector<std
   command.whenRead([=, &request] {
     if (focusLabels.isGiven() && !labels.isGiven() && !phantom.isGiven() && !io::isSession(request.path))
       throw MissingOption{"--labels, --phantom or a session", "--focus-labels"};
+    if (table.isGiven() && !labels.isGiven() && !io::isSession(request.path))
+      throw MissingOption{"--labels or a session", "--label-table"};
   });
   return focusLabels;
 }

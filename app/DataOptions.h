@@ -15,7 +15,8 @@ namespace fenestra::app {
 void addVolumeOptions(
     Command command, io::DataRequest& request, std::function<void()> onSession = [] {});
 
-/// Adds --labels, and --focus-labels, which is returned and whose labels, by value or name, go to `chosen`.
+/// Adds --labels, --label-table, and --focus-labels, which is returned and whose labels, by value or name, go to
+/// `chosen`.
 Option addLabelChoice(Command command, io::DataRequest& request, std::vector<std::string>& chosen);
 
 }  // namespace fenestra::app

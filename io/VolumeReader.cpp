@@ -4,8 +4,6 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <locale>
-#include <sstream>
 #include <stdexcept>
 
 #include "io/Probe.h"
@@ -60,14 +58,6 @@ std::int64_t chosenLayer(const ImageFile& image, const OpenOptions& options) {
               "list its series with: fenestra-cli info " + image.path.string());
 }
 
-/// A number as people write it, whatever the locale.
-std::string plain(double number) {
-  std::ostringstream text;
-  text.imbue(std::locale::classic());
-  text << number;
-  return text.str();
-}
-
 /// Takes a volume whose file names no modality for a CT where its values are those of one, and says so.
 void recogniseCt(const fs::path& path, Volume& volume, OpenedVolume& opened) {
   if (volume.modality != Modality::Unknown || !looksLikeCt(volume)) return;
@@ -75,14 +65,15 @@ void recogniseCt(const fs::path& path, Volume& volume, OpenedVolume& opened) {
   volume.unit = "HU";
   opened.series.modality = "CT";
   opened.warnings.push_back({Warning::Kind::Recognised,
-                             "the file names no modality; its values (" + plain(volume.range.low) + " to " +
-                                 plain(volume.range.high) +
+                             "the file names no modality; its values (" + plainNumber(volume.range.low) + " to " +
+                                 plainNumber(volume.range.high) +
                                  ") are taken for Hounsfield units of a CT, --modality MR or other says otherwise",
                              {path}});
 }
 
 OpenedVolume openImage(ImageFile image, const OpenOptions& options) {
-  checkGeometry(image.path, image.grid);
+  if (!image.missingSpacing.empty()) throw SpacingMissing(image.path, image.missingSpacing);
+  checkGeometry(image);
   OpenedVolume opened;
   opened.format = image.format;
   const std::int64_t layer = chosenLayer(image, options);
@@ -113,13 +104,19 @@ OpenedVolume openImage(ImageFile image, const OpenOptions& options) {
 }
 
 /// Both take any format but Archive.
+void refuseSpacing(const fs::path& path, Format format, const OpenOptions& options) {
+  if (options.spacing && format != Format::Tiff)
+    throw Error(path, "says itself how large its voxels are", "leave out --spacing, which is for TIFF and --raw");
+}
 std::vector<SeriesInfo> listFormat(const fs::path& path, Format format, const OpenOptions& options) {
+  refuseSpacing(path, format, options);
   if (format == Format::Dicom) return listDicomSeries(path, options);
   return seriesIn(readImageHeader(path, format, options.allowOutside));
 }
 OpenedVolume openFormat(const fs::path& path, Format format, const OpenOptions& options) {
+  refuseSpacing(path, format, options);
   if (format == Format::Dicom) return openDicom(path, options);
-  return openImage(readImageHeader(path, format, options.allowOutside), options);
+  return openImage(readImageHeader(path, format, options.allowOutside, options.spacing), options);
 }
 
 /// What to open of an unpacked archive: its only file, the header of its only volume in two files, or the whole folder.
@@ -149,9 +146,27 @@ auto readArchive(const fs::path& path, const OpenOptions& options, const Read& r
     if (format == Format::Archive)
       throw Error(content, "is an archive in an archive", "unpack it and open what it holds");
     return withinMemory(content, [&] { return read(archive, content, format, inside); });
+  } catch (const SpacingMissing& missing) {
+    throw SpacingMissing(path, missing.cause());
   } catch (const Error& error) {
     throw Error(archive.named(error.file()), error.cause(), error.hint());
   }
+}
+
+/// Whether a folder's TIFF files are its images: a DICOM study may hold pictures, too.
+bool isTiffFolder(const fs::path& folder) {
+  if (!hasTiffFiles(folder)) return false;
+  constexpr int most = 2000;  // files to look into
+  int seen = 0;
+  std::error_code failure;
+  for (fs::recursive_directory_iterator entry(folder, fs::directory_options::skip_permission_denied, failure);
+       !failure && entry != fs::recursive_directory_iterator() && seen < most; entry.increment(failure)) {
+    std::error_code unknown;
+    if (!entry->is_regular_file(unknown) || entry->file_size(unknown) == 0) continue;
+    ++seen;
+    if (looksLikeDicom(FileStart(entry->path()))) return false;
+  }
+  return true;
 }
 
 }  // namespace
@@ -202,7 +217,8 @@ SeriesInfo describe(const ImageFile& image) {
   return info;
 }
 
-ImageFile readImageHeader(const fs::path& path, Format format, bool allowOutside) {
+ImageFile readImageHeader(const fs::path& path, Format format, bool allowOutside,
+                          const std::optional<glm::dvec3>& spacing) {
   const auto inside = [&](ImageFile image) {
     if (!allowOutside) refuseOutside(image);
     return image;
@@ -218,6 +234,8 @@ ImageFile readImageHeader(const fs::path& path, Format format, bool allowOutside
       return readAnalyzeHeader(path);
     case Format::MetaImage:
       return inside(readMetaImageHeader(path));
+    case Format::Tiff:
+      return readTiffHeader(path, spacing);
     case Format::Dicom:
     case Format::Archive:
       break;
@@ -235,7 +253,7 @@ void checkExists(const fs::path& path) {
 }
 
 Format formatOf(const fs::path& path) {
-  if (fs::is_directory(path)) return Format::Dicom;
+  if (fs::is_directory(path)) return isTiffFolder(path) ? Format::Tiff : Format::Dicom;
   const FileStart start(path);
   if (looksLikeNifti(start)) return Format::Nifti;
   if (looksLikeNrrd(start)) return Format::Nrrd;
@@ -244,15 +262,18 @@ Format formatOf(const fs::path& path) {
   if (looksLikeMgh(start)) return Format::Mgh;
   if (looksLikeArchive(start)) return Format::Archive;
   if (looksLikeDicom(start)) return Format::Dicom;
+  // Behind DICOM, whose preamble may be a TIFF header (PS3.10 7.1).
+  if (looksLikeTiff(start)) return Format::Tiff;
   // Last, because it has no signature.
   if (looksLikeAnalyze(start)) return Format::Analyze;
   const std::string_view ending = lowered(path.extension().string()) == ".dcm" ? ".dcm" : volumeEnding(path);
   if (!ending.empty())
     throw Error(path, "is named " + std::string(ending) + " but its content is something else",
                 "the file is damaged or misnamed");
-  throw Error(path, "holds no volume in a known format",
-              "DICOM, NIfTI, NRRD, MetaImage, MGH and Analyze are recognised by content; raw voxels need a description "
-              "(--raw)");
+  throw Error(
+      path, "holds no volume in a known format",
+      "DICOM, NIfTI, NRRD, MetaImage, MGH, Analyze and TIFF are recognised by content; raw voxels need a description "
+      "(--raw)");
 }
 
 std::vector<SeriesInfo> listSeries(const fs::path& path, const OpenOptions& options) {

@@ -1,6 +1,6 @@
 #pragma once
-// One call opens any volume: a DICOM folder or file, NIfTI, NRRD, MetaImage, MGH, Analyze, an archive of
-// these, or raw bytes with a description.
+// One call opens any volume: a DICOM folder or file, NIfTI, NRRD, MetaImage, MGH, Analyze, TIFF (a file or a
+// folder of pages), an archive of these, or raw bytes with a description.
 
 #include <filesystem>
 #include <string_view>

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 namespace fenestra::io {
 
@@ -19,6 +20,13 @@ class Error : public std::runtime_error {
  private:
   std::filesystem::path file_;
   std::string cause_, hint_;
+};
+
+/// The file does not say how large its voxels are, and nobody has: OpenOptions::spacing says it.
+class SpacingMissing : public Error {
+ public:
+  SpacingMissing(std::filesystem::path file, std::string cause)
+      : Error(std::move(file), std::move(cause), "say it in mm, with --spacing X,Y,Z on the command line") {}
 };
 
 /// The progress callback asked to stop; nothing was kept.

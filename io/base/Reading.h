@@ -83,6 +83,8 @@ struct OpenOptions {
   /// `series`.
   std::optional<int> time = {};
   std::optional<RawDescription> raw = {};  ///< read PATH as raw bytes
+  /// Of voxels, mm, for a format that may not say it (TIFF); an error for others.
+  std::optional<glm::dvec3> spacing = {};
   /// Whether the header of a detached volume may name voxel files anywhere, not only in its own folder and below.
   bool allowOutside = false;
   Regularise regularise = Regularise::Automatic;
@@ -123,7 +125,7 @@ struct SegmentationInfo {
 
 /// What is known of an open volume beside its voxels.
 struct VolumeInfo {
-  std::string format;  ///< "DICOM", "NIfTI", "NRRD", "MetaImage", "MGH", "Analyze", "raw", "phantom"
+  std::string format;  ///< "DICOM", "NIfTI", "NRRD", "MetaImage", "MGH", "Analyze", "TIFF", "raw", "phantom"
   SeriesInfo series;
   PatientText patient;
   std::vector<SeriesInfo> otherSeries;

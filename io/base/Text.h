@@ -2,6 +2,7 @@
 // Words and numbers in text, whatever the locale: of file headers and of command lines.
 
 #include <charconv>
+#include <locale>
 #include <optional>
 #include <sstream>
 #include <string>
@@ -55,6 +56,22 @@ std::optional<std::vector<T>> numbersIn(const std::string& text) {
     result.push_back(*value);
   }
   return result;
+}
+
+/// A number as people write it, whatever the locale.
+inline std::string plainNumber(double number) {
+  std::ostringstream text;
+  text.imbue(std::locale::classic());
+  text << number;
+  return text.str();
+}
+
+/// A number that is written with a decimal comma, as some programs do in some countries; empty for any other word.
+inline std::optional<double> commaNumberIn(std::string word) {
+  const std::size_t comma = word.find(',');
+  if (comma == std::string::npos || word.find('.') != std::string::npos) return std::nullopt;
+  word[comma] = '.';
+  return numberIn<double>(word);
 }
 
 /// ASCII letters in lower case; other characters stay.

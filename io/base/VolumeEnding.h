@@ -24,4 +24,10 @@ inline std::string_view volumeEnding(const std::filesystem::path& path) {
   return at == volumeEndings.end() ? std::string_view() : *at;
 }
 
+/// Whether a name is that of a TIFF file, whose pages may be slices or a whole stack.
+inline bool isTiffName(const std::filesystem::path& path) {
+  const std::string ending = lowered(path.extension().string());
+  return ending == ".tif" || ending == ".tiff";
+}
+
 }  // namespace fenestra::io

@@ -4,144 +4,15 @@
 #include <cmath>
 #include <limits>
 #include <mutex>
-#include <optional>
-#include <set>
-#include <string_view>
 
-#include "io/base/Text.h"
 #include "io/dicom/ContourFill.h"
-#include "io/dicom/Dataset.h"
-#include "io/dicom/DicomValues.h"
+#include "io/dicom/RtContours.h"
 #include "io/dicom/Slabs.h"
 #include "rendering/volume/Threads.h"
 
 namespace fenestra::io {
 namespace fs = std::filesystem;
 namespace {
-
-using Contour = std::vector<glm::dvec3>;  ///< closed, LPS mm
-
-struct Structure {
-  std::int64_t number = 0;
-  Label label;
-  std::vector<Contour> contours;
-};
-
-struct StructureSet {
-  std::vector<Structure> structures;
-  std::size_t open = 0;  ///< contours that enclose nothing
-};
-
-[[noreturn]] void refuse(const fs::path& path, const std::string& cause) {
-  throw Error(path, cause, "the file is damaged; get it again from its source");
-}
-
-/// The text of Contour Data. A contour of more than 64 KiB fits no explicit DS; such files say UN.
-std::string contourText(DcmItem& contour) {
-  DcmElement* element = nullptr;
-  if (contour.findAndGetElement(DCM_ContourData, element).bad() || !element) return {};
-  Uint8* bytes = nullptr;
-  if (element->ident() == EVR_UN && element->getUint8Array(bytes).good() && bytes)
-    return {reinterpret_cast<const char*>(bytes), element->getLength()};
-  // The raw text: DCMTK looks for each value of a string array from the first one on.
-  char* value = nullptr;
-  Uint32 length = 0;
-  return element->getString(value, length).good() && value ? std::string(value, length) : std::string();
-}
-
-Contour pointsOf(DcmItem& contour, const std::string& structure, const fs::path& path) {
-  const std::string all = contourText(contour);
-  std::vector<double> numbers;
-  for (std::string_view rest = all; !rest.empty();) {
-    const std::size_t end = rest.find('\\');
-    std::string_view word = rest.substr(0, end);
-    constexpr std::string_view padding(" \t\r\n\0", 5);
-    word.remove_prefix(std::min(word.find_first_not_of(padding), word.size()));
-    word = word.substr(0, word.find_last_not_of(padding) + 1);
-    const auto value = numberIn<double>(word);
-    // A kilometre: beyond any scanner, and far from where arithmetic fails.
-    if (!value || !(std::abs(*value) <= 1e6))
-      refuse(path, "a contour of " + structure + " has the coordinate \"" + std::string(word.substr(0, 32)) +
-                       "\", which is no position in millimetres");
-    numbers.push_back(*value);
-    rest.remove_prefix(end == std::string_view::npos ? rest.size() : end + 1);
-  }
-  if (numbers.size() % 3 != 0)
-    refuse(path, "a contour of " + structure + " has " + std::to_string(numbers.size()) +
-                     " coordinates, which are no whole points");
-  const std::int64_t declared =
-      integerOf(contour, DCM_NumberOfContourPoints).value_or(static_cast<std::int64_t>(numbers.size() / 3));
-  if (declared != static_cast<std::int64_t>(numbers.size() / 3))
-    refuse(path, "a contour of " + structure + " has " + std::to_string(numbers.size() / 3) + " points but says " +
-                     std::to_string(declared));
-  Contour points;
-  for (std::size_t i = 0; i < numbers.size(); i += 3) points.push_back({numbers[i], numbers[i + 1], numbers[i + 2]});
-  return points;
-}
-
-/// The structures in the file's order, with unique labels.
-std::vector<Structure> structuresIn(DcmDataset& dataset, const fs::path& path) {
-  std::vector<Structure> structures;
-  std::set<std::int64_t> numbers;
-  forEachItem(dataset, DCM_StructureSetROISequence, [&](DcmItem& item) {
-    Structure structure;
-    structure.number = integerOf(item, DCM_ROINumber).value_or(-1);
-    structure.label.name = typedTextOf(item, DCM_ROIName, &dataset);
-    if (!numbers.insert(structure.number).second)
-      refuse(path, "two of its structures have the number " + std::to_string(structure.number));
-    structures.push_back(std::move(structure));
-  });
-  if (structures.empty()) refuse(path, "it describes no structures");
-  if (structures.size() > greatestLabel) refuse(path, "it has more structures than fit 16 bits");
-  std::set<std::int64_t> taken;
-  const auto isLabel = [](std::int64_t number) { return number >= 1 && number <= greatestLabel; };
-  for (const Structure& structure : structures)
-    if (isLabel(structure.number)) taken.insert(structure.number);
-  std::int64_t next = 1;
-  for (Structure& structure : structures) {
-    std::int64_t value = structure.number;
-    if (!isLabel(value)) {
-      while (taken.contains(next)) ++next;
-      value = next;
-      taken.insert(value);
-    }
-    structure.label.value = static_cast<std::uint16_t>(value);
-    structure.label.colour = noColour;
-    if (structure.label.name.empty()) structure.label.name = "label " + std::to_string(value);
-  }
-  return structures;
-}
-
-/// The values of an attribute, divided by blanks.
-std::string spaced(std::string values) {
-  std::replace(values.begin(), values.end(), '\\', ' ');
-  return values;
-}
-
-StructureSet readContours(DcmDataset& dataset, const fs::path& path) {
-  StructureSet set;
-  set.structures = structuresIn(dataset, path);
-  if (!dataset.tagExists(DCM_ROIContourSequence)) refuse(path, "it has no contours");
-  forEachItem(dataset, DCM_ROIContourSequence, [&](DcmItem& item) {
-    const std::int64_t number = integerOf(item, DCM_ReferencedROINumber).value_or(-1);
-    const auto at = std::find_if(set.structures.begin(), set.structures.end(),
-                                 [&](const Structure& structure) { return structure.number == number; });
-    if (at == set.structures.end())
-      refuse(path, "it has contours of structure " + std::to_string(number) + ", which it does not describe");
-    if (const auto colour = numbersIn<double>(spaced(textOf(item, DCM_ROIDisplayColor))); colour && colour->size() == 3)
-      at->label.colour = glm::clamp(glm::dvec3((*colour)[0], (*colour)[1], (*colour)[2]) / 255.0, 0.0, 1.0);
-    forEachItem(item, DCM_ContourSequence, [&](DcmItem& contour) {
-      Contour points = pointsOf(contour, at->label.name, path);
-      const std::string type = textOf(contour, DCM_ContourGeometricType);
-      const bool closed = type.empty() || type == "CLOSED_PLANAR" || type == "CLOSEDPLANAR_XOR";
-      if (closed && points.size() >= 3)
-        at->contours.push_back(std::move(points));
-      else
-        ++set.open;
-    });
-  });
-  return set;
-}
 
 /// Twice the area of a polygon along its normal (Newell).
 glm::dvec3 areaVector(const Contour& contour) {
@@ -392,7 +263,7 @@ LabelsOnGrid readStructureSet(DcmDataset& dataset, const fs::path& path, const G
   const auto warn = [&](std::size_t count, const std::string& what) {
     if (count > 0) read.warnings.push_back({Warning::Kind::Other, std::to_string(count) + what, {path}});
   };
-  warn(set.open, " of its contours left out: points or open lines, which enclose nothing");
+  warnOfLeftOut(set, path, read.warnings);
   warn(bent, " of its contours left out: they do not lie on planes parallel to the others");
   if (contours > 0 && labelledVoxels(read.values) == 0)
     warnOfPlacement(path, 1, 0, true, read.warnings);

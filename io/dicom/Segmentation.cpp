@@ -171,7 +171,8 @@ void readFrames(DcmDataset& dataset, Header& header) {
     header.frames.push_back(readFrame({dynamic_cast<DcmItem*>(next), shared, dataset}, number, header));
 }
 
-/// Labelled pixels of frames. Binary frames of one bit a pixel follow each other without padding, the lowest bit first.
+/// Labelled pixels of frames. Binary frames of one bit a pixel follow each other without padding, the lowest bit first
+/// (PS3.5 8.1.1); some writers begin each frame on a byte of its own.
 class FramePixels {
  public:
   explicit FramePixels(const Header& header) : header_(header), native_(header.file.path, header.file.pixels) {
@@ -180,14 +181,18 @@ class FramePixels {
     else if (header.file.pixels.encapsulated)
       throw Error(header.file.path, "its frames of one bit a pixel are compressed",
                   "store the segmentation uncompressed");
+    else
+      padded_ = isPadded();
   }
+  /// Whether each frame begins on a byte of its own.
+  bool isPaddedToBytes() const { return padded_; }
 
   /// Calls visit(pixel, label) for each labelled pixel of a frame.
   template <class F>
   void forEach(const Frame& frame, F&& visit) {
     const std::size_t count = header_.framePixels();
     if (!decoder_) {
-      const std::uint64_t first = static_cast<std::uint64_t>(frame.number) * count;
+      const std::uint64_t first = static_cast<std::uint64_t>(frame.number) * (padded_ ? (count + 7) / 8 * 8 : count);
       bits_.resize((first + count + 7) / 8 - first / 8);
       native_.read(first / 8, bits_);
       for (std::size_t i = 0; i < count; ++i) {
@@ -215,8 +220,24 @@ class FramePixels {
   }
 
  private:
+  /// As the length of the pixel data tells, which an even number of bytes rounds up. Where it fits both, bits behind
+  /// the last pixel of packed frames can only be a padded frame's.
+  bool isPadded() {
+    const std::uint64_t count = header_.framePixels(), frames = header_.frames.size();
+    const std::uint64_t length = header_.file.pixels.length;
+    const std::uint64_t packed = (frames * count + 7) / 8, padded = frames * ((count + 7) / 8);
+    const auto fits = [&](std::uint64_t bytes) { return length == bytes || length == bytes + bytes % 2; };
+    if (count % 8 == 0 || frames < 2 || !fits(padded)) return false;
+    if (!fits(packed)) return true;
+    std::vector<std::byte> end(padded - frames * count / 8);
+    native_.read(frames * count / 8, end);
+    if (!end.empty()) end.front() >>= frames * count % 8;
+    return std::any_of(end.begin(), end.end(), [](std::byte each) { return each != std::byte{0}; });
+  }
+
   const Header& header_;
   NativePixels native_;
+  bool padded_ = false;
   std::optional<DicomDecoder> decoder_;  ///< of frames with whole bytes a pixel
   std::vector<std::byte> bits_;
 };
@@ -255,6 +276,11 @@ void paint(const Header& header, const Progress& progress, LabelPlanes& planes, 
   checkMemory(header.file.path, saturatingProduct(planes.positions.size(), 2 * header.framePixels()));
   planes.values.assign(planes.positions.size() * header.framePixels(), 0);
   FramePixels pixels(header);
+  if (pixels.isPaddedToBytes())
+    warnings.push_back({Warning::Kind::Other,
+                        "each of its frames of " + std::to_string(header.framePixels()) +
+                            " bits begins on a byte of its own, where DICOM packs them without gaps; they are read so",
+                        {header.file.path}});
   std::vector<std::uint64_t> sizes(greatestLabel + 1u, 0);
   const auto step = [&](std::size_t done) {
     const double fraction = 0.5 * static_cast<double>(done) / static_cast<double>(header.frames.size());

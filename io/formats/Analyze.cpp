@@ -35,12 +35,19 @@ class Header {
   }
   /// The format has no signature: its size field must hold, and the fields that every file needs.
   bool isAnalyze() const {
-    return got_ == bytes_.size() && at<std::int32_t>(0) == headerBytes && rank() >= 1 && rank() <= 7 && size(1) > 0 &&
+    return got_ == bytes_.size() && at<std::int32_t>(0) == headerBytes && rank() >= 1 && rank() <= 7 && dim()[1] > 0 &&
            niftiElementType(datatype()).has_value();
   }
   int rank() const { return at<std::int16_t>(40); }
-  std::int64_t size(int axis) const {
-    return axis <= rank() ? at<std::int16_t>(40 + 2 * static_cast<std::size_t>(axis)) : 1;
+  std::array<std::int64_t, 8> dim() const {
+    std::array<std::int64_t, 8> stored{};
+    for (std::size_t axis = 0; axis < stored.size(); ++axis) stored[axis] = at<std::int16_t>(40 + 2 * axis);
+    return stored;
+  }
+  /// As text, up to its first NUL: "mm", "um", or nothing.
+  std::string unit() const {
+    const std::string stored(reinterpret_cast<const char*>(bytes_.data()) + 56, 4);
+    return stored.substr(0, stored.find('\0'));
   }
   int datatype() const { return at<std::int16_t>(70); }
   double spacing(int axis) const { return at<float>(76 + 4 * static_cast<std::size_t>(axis)); }
@@ -70,12 +77,15 @@ constexpr std::array<glm::dmat3, 6> axes{
 void readGeometry(ImageFile& image, const Header& header) {
   const int orientation = header.orientation();
   glm::dmat3 columns = axes[orientation < static_cast<int>(axes.size()) ? static_cast<std::size_t>(orientation) : 0];
+  const double unit = millimetresOf(image, header.unit());
   std::string assumed;
   for (int axis = 0; axis < 3; ++axis) {
     double spacing = std::abs(header.spacing(axis + 1));
     if (!std::isfinite(spacing) || spacing == 0.0) {
       spacing = 1.0;
       assumed = "; voxel sizes that are missing are taken as 1 mm";
+    } else {
+      spacing *= unit;
     }
     columns[axis] *= spacing;
   }
@@ -111,12 +121,9 @@ ImageFile readAnalyzeHeader(const fs::path& path) {
   image.format = "Analyze";
   image.type = *niftiElementType(header.datatype());
   image.bigEndian = header.bigEndian();
-  setDims(image, header.size(1), header.size(2), header.size(3));
-  for (int axis = 4; axis <= 7; ++axis) {
-    if (header.size(axis) < 1)
-      throw Error(image.path, "its header gives a dimension of no length", "the header is damaged");
-    image.volumes *= header.size(axis);
-  }
+  const std::array<std::int64_t, 8> lengths = axisLengths(image, header.dim());
+  setDims(image, lengths[1], lengths[2], lengths[3]);
+  for (std::size_t axis = 4; axis < lengths.size(); ++axis) image.volumes *= lengths[axis];
   readGeometry(image, header);
   if (std::isfinite(header.slope()) && header.slope() != 0.0) image.slope = header.slope();
   const double offset = header.voxelOffset();

@@ -2,107 +2,21 @@
 
 #include <algorithm>
 #include <bit>
-#include <charconv>
 #include <cmath>
 #include <cstring>
 #include <limits>
 
 #include "io/base/Memory.h"
 #include "io/base/PlausibleGrid.h"
+#include "io/base/Text.h"
+#include "io/base/Units.h"
+#include "io/formats/VoxelText.h"
 
 namespace fenestra::io {
 namespace fs = std::filesystem;
 namespace {
 
 constexpr std::size_t blockBytes = 4u << 20;
-
-/// Decimal numbers turned into scalars of one type in this machine's byte order.
-class TextScalars : public ByteStream {
- public:
-  TextScalars(std::unique_ptr<ByteStream> source, ElementType type, fs::path path)
-      : source_(std::move(source)), type_(type), path_(std::move(path)) {}
-
-  std::size_t read(std::byte* into, std::size_t size) override {
-    const std::size_t scalar = sizeOf(type_);
-    std::size_t got = 0;
-    std::string word;
-    while (got + scalar <= size && nextWord(word)) {
-      visitElement(type_, [&](auto value) {
-        const char* end = word.data() + word.size();
-        const auto [stopped, failure] = std::from_chars(word.data(), end, value);
-        if (failure != std::errc() || stopped != end)
-          throw Error(path_, "holds '" + word.substr(0, 20) + "' where a number of its type belongs",
-                      "the file is damaged or its type is wrong");
-        std::memcpy(into + got, &value, sizeof value);
-      });
-      got += scalar;
-    }
-    return got;
-  }
-
- private:
-  bool nextWord(std::string& word) {
-    // Longer than any number a type can hold, and short enough to refuse binary data soon.
-    constexpr std::size_t longestNumber = 400;
-    word.clear();
-    for (;;) {
-      if (next_ == filled_) {
-        filled_ = source_->read(buffer_.data(), buffer_.size());
-        next_ = 0;
-        if (filled_ == 0) return !word.empty();
-      }
-      const char c = static_cast<char>(buffer_[next_++]);
-      const bool separator = c == ' ' || c == '\t' || c == '\n' || c == '\r' || c == ',';
-      if (!separator) word += c;
-      if ((separator && !word.empty()) || word.size() > longestNumber) return true;
-    }
-  }
-
-  std::unique_ptr<ByteStream> source_;
-  ElementType type_;
-  fs::path path_;
-  std::vector<std::byte> buffer_ = std::vector<std::byte>(64 * 1024);
-  std::size_t next_ = 0, filled_ = 0;
-};
-
-/// Bytes written as two hexadecimal digits each; blanks and line ends between them are skipped.
-class HexBytes : public ByteStream {
- public:
-  HexBytes(std::unique_ptr<ByteStream> source, fs::path path) : source_(std::move(source)), path_(std::move(path)) {}
-
-  std::size_t read(std::byte* into, std::size_t size) override {
-    std::size_t got = 0;
-    for (; got < size; ++got) {
-      const int high = nextDigit(), low = high < 0 ? -1 : nextDigit();
-      if (low < 0) break;
-      into[got] = static_cast<std::byte>(high * 16 + low);
-    }
-    return got;
-  }
-
- private:
-  /// -1 at the end.
-  int nextDigit() {
-    for (;;) {
-      if (next_ == filled_) {
-        filled_ = source_->read(buffer_.data(), buffer_.size());
-        next_ = 0;
-        if (filled_ == 0) return -1;
-      }
-      const char c = static_cast<char>(buffer_[next_++]);
-      if (c >= '0' && c <= '9') return c - '0';
-      if (c >= 'a' && c <= 'f') return c - 'a' + 10;
-      if (c >= 'A' && c <= 'F') return c - 'A' + 10;
-      if (c != ' ' && c != '\t' && c != '\n' && c != '\r')
-        throw Error(path_, "holds characters that are no hexadecimal digits", "the file is damaged");
-    }
-  }
-
-  std::unique_ptr<ByteStream> source_;
-  fs::path path_;
-  std::vector<std::byte> buffer_ = std::vector<std::byte>(64 * 1024);
-  std::size_t next_ = 0, filled_ = 0;
-};
 
 std::uint64_t fileBytes(const fs::path& file) {
   std::error_code failure;
@@ -137,6 +51,7 @@ std::uint64_t unpackedBytes(const fs::path& file, std::uint64_t offset, Packing 
 std::unique_ptr<ByteStream> openShare(const ImageFile& image, const fs::path& file, std::uint64_t bytes,
                                       std::uint64_t begin) {
   const VoxelSource& source = image.source;
+  if (source.open) return source.open(begin);
   const std::uint64_t offset = offsetAfterLines(source, file);
   if (source.packing == Packing::None && source.text == VoxelText::None) {
     const std::uint64_t size = fileBytes(file);
@@ -152,9 +67,9 @@ std::unique_ptr<ByteStream> openShare(const ImageFile& image, const fs::path& fi
     stream->skip(static_cast<std::uint64_t>(source.skip));
   }
   if (source.text == VoxelText::Decimal)
-    stream = std::make_unique<TextScalars>(std::move(stream), image.type, file);
+    stream = decimalScalars(std::move(stream), image.type, bytes / sizeOf(image.type), file);
   else if (source.text == VoxelText::Hexadecimal)
-    stream = std::make_unique<HexBytes>(std::move(stream), file);
+    stream = hexadecimalBytes(std::move(stream), file);
   stream->skip(begin);
   return stream;
 }
@@ -163,6 +78,7 @@ std::unique_ptr<ByteStream> openShare(const ImageFile& image, const fs::path& fi
 void checkSizes(const ImageFile& image, std::uint64_t voxels, std::uint64_t bytes) {
   const VoxelSource& source = image.source;
   checkMemory(image.path, saturatingProduct(voxels, sizeOf(image.type)));
+  if (source.open) return;
   if (source.files.empty() || bytes % source.files.size() != 0)
     throw Error(image.path, "its voxels do not divide among its " + std::to_string(source.files.size()) + " data files",
                 "check the header's sizes and its list of data files");
@@ -197,8 +113,8 @@ void checkSizes(const ImageFile& image, std::uint64_t voxels, std::uint64_t byte
 /// their sinks.
 void appendBlock(const ImageFile& image, std::span<std::byte> block, std::size_t volume, Layers layers,
                  std::vector<VoxelSink>& sinks) {
-  const bool swap =
-      image.source.text != VoxelText::Decimal && image.bigEndian != (std::endian::native == std::endian::big);
+  const bool swap = image.source.text != VoxelText::Decimal && !image.source.open &&
+                    image.bigEndian != (std::endian::native == std::endian::big);
   const auto interleaved = static_cast<std::size_t>(image.interleaved);
   const auto first = static_cast<std::size_t>(layers.first);
   visitElement(image.type, [&](auto scalar) {
@@ -247,6 +163,38 @@ bool setGeometry(Grid& grid, const glm::dmat3& columns, const glm::dvec3& origin
   grid.direction = direction + glm::dmat3(0.0);
   grid.origin = origin + 0.0;
   return true;
+}
+
+double millimetresOf(ImageFile& image, std::string_view unit) {
+  if (isNoUnit(unit)) return 1.0;
+  if (const auto length = millimetresIn(unit)) return *length;
+  if (image.unknownUnit.empty()) image.warnings.push_back({Warning::Kind::NoGeometry, unknownUnit(unit), {image.path}});
+  image.unknownUnit = unit;
+  return 1.0;
+}
+
+std::optional<std::vector<double>> headerNumbers(ImageFile& image, const std::string& name, const std::string& text) {
+  if (auto numbers = numbersIn<double>(text)) return numbers;
+  std::vector<double> numbers;
+  std::string read;
+  for (const std::string& word : words(text)) {
+    const auto point = numberIn<double>(word), comma = commaNumberIn(word);
+    if (!point && !comma) return std::nullopt;
+    numbers.push_back(point ? *point : *comma);
+    if (!read.empty()) read += ' ';
+    read += plainNumber(numbers.back());
+  }
+  image.warnings.push_back(
+      {Warning::Kind::NoGeometry, "its " + name + " has decimal commas; it is read as " + read, {image.path}});
+  return numbers;
+}
+
+void checkGeometry(const ImageFile& image) {
+  const auto wrong = implausibility(image.grid);
+  if (wrong && !image.unknownUnit.empty())
+    throw Error(image.path, unknownUnit(image.unknownUnit) + ", and then its geometry is not plausible: " + *wrong,
+                "write the file's lengths in mm, or in a unit such as um, cm or m");
+  checkGeometry(image.path, image.grid);
 }
 
 std::string numberedName(const std::string& pattern, long number, const fs::path& header) {
@@ -307,7 +255,8 @@ std::vector<Voxels> readVoxels(const ImageFile& image, Layers layers, const Prog
   for (std::size_t layer = first; layer < end; ++layer) sinks.emplace_back(static_cast<std::size_t>(voxels));
 
   const std::size_t voxelBytes = sizeOf(image.type) * interleaved;
-  const std::uint64_t share = bytes / image.source.files.size(), begin = voxels * voxelBytes * firstVolume;
+  const std::uint64_t share = image.source.open ? bytes : bytes / image.source.files.size(),
+                      begin = voxels * voxelBytes * firstVolume;
   const std::uint64_t wanted = voxels * voxelBytes * (endVolume - firstVolume);
   auto file = static_cast<std::size_t>(begin / share);
   std::uint64_t leftInFile = share - begin % share;

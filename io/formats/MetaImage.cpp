@@ -84,12 +84,14 @@ class Reader {
 
     const auto rank = numberIn<int>(field({"NDims"}));
     const auto dims = numbersIn<std::int64_t>(field({"DimSize"}));
-    if (!rank || *rank < 2 || *rank > 4 || !dims || dims->size() != static_cast<std::size_t>(*rank)) refuse("DimSize");
+    // 10: META_MAX_DIMS, the most axes the format's own library takes.
+    if (!rank || *rank < 2 || *rank > 10 || !dims || dims->size() != static_cast<std::size_t>(*rank)) refuse("DimSize");
     rank_ = *rank;
     setDims(image_, (*dims)[0], (*dims)[1], rank_ > 2 ? (*dims)[2] : 1);
-    if (rank_ == 4) {
-      if ((*dims)[3] < 1 || (*dims)[3] > 1'000'000) refuse("DimSize");
-      image_.volumes = (*dims)[3];
+    for (std::size_t axis = 3; axis < dims->size(); ++axis) {
+      if ((*dims)[axis] < 1 || (*dims)[axis] > 1'000'000) refuse("DimSize");
+      image_.volumes *= (*dims)[axis];
+      if (image_.volumes > 1'000'000) refuse("DimSize");
     }
     image_.slope = number({"ElementToIntensityFunctionSlope"}, 1.0);
     if (image_.slope == 0.0) {
@@ -113,18 +115,18 @@ class Reader {
       if (const auto at = header_.fields.find(name); at != header_.fields.end()) return at->second;
     return otherwise;
   }
-  double number(std::initializer_list<const char*> names, double otherwise) const {
+  double number(std::initializer_list<const char*> names, double otherwise) {
     const std::string text = field(names);
     if (text.empty()) return otherwise;
-    const auto value = numberIn<double>(text);
-    if (!value || !std::isfinite(*value)) refuse(*names.begin());
-    return *value;
+    const auto values = headerNumbers(image_, *names.begin(), text);
+    if (!values || values->size() != 1 || !std::isfinite(values->front())) refuse(*names.begin());
+    return values->front();
   }
   /// As many numbers as there are axes (`each` of them for every axis); empty when the header has none of `names`.
-  std::vector<double> numbers(std::initializer_list<const char*> names, int each = 1) const {
+  std::vector<double> numbers(std::initializer_list<const char*> names, int each = 1) {
     const std::string text = field(names);
     if (text.empty()) return {};
-    const auto values = numbersIn<double>(text);
+    const auto values = headerNumbers(image_, *names.begin(), text);
     if (!values || values->size() != static_cast<std::size_t>(rank_ * each)) refuse(*names.begin());
     return *values;
   }
@@ -145,6 +147,8 @@ class Reader {
       image_.warnings.push_back({Warning::Kind::NoGeometry, text, {image_.path}});
     };
     if (spacing.empty()) warn("its header has no ElementSpacing; 1 mm is assumed");
+    // MetaIO writes it since 2019: "mm", "um", "cm", or "?".
+    const double unit = millimetresOf(image_, field({"DistanceUnits"}));
     glm::dmat3 columns(1.0);
     glm::dvec3 origin(0.0);
     bool negative = false;
@@ -162,7 +166,7 @@ class Reader {
       if (!offset.empty()) origin[axis] = offset[static_cast<std::size_t>(axis)];
     }
     if (negative) warn("its ElementSpacing is negative; the sign is ignored");
-    if (!setGeometry(image_.grid, columns, origin)) refuse("ElementSpacing or TransformMatrix");
+    if (!setGeometry(image_.grid, columns * unit, origin * unit)) refuse("ElementSpacing or TransformMatrix");
   }
 
   void readEncoding() {

@@ -20,14 +20,20 @@ namespace fenestra::io {
 namespace fs = std::filesystem;
 namespace {
 
-double millimetres(int units) {
-  switch (XYZT_TO_SPACE(units)) {
+/// The word for a header's xyzt_units; empty where it names no unit.
+std::string unitNamed(int units) {
+  const int space = XYZT_TO_SPACE(units);
+  switch (space) {
+    case NIFTI_UNITS_UNKNOWN:
+      return {};
     case NIFTI_UNITS_METER:
-      return 1000.0;
+      return "m";
+    case NIFTI_UNITS_MM:
+      return "mm";
     case NIFTI_UNITS_MICRON:
-      return 0.001;
+      return "um";
     default:
-      return 1.0;  // NIFTI_UNITS_MM, and files that name no unit
+      return "number " + std::to_string(space);
   }
 }
 
@@ -97,18 +103,17 @@ class Interpreter {
     const auto rank = static_cast<std::int64_t>(field(header_.dim[0]));
     if (rank < 1 || rank > 7)
       throw Error(image_.path, "its header gives " + std::to_string(rank) + " dimensions", "the header is damaged");
-    const auto dim = [&](int axis) {
-      return axis <= rank ? static_cast<std::int64_t>(field(header_.dim[axis])) : std::int64_t{1};
-    };
-    setDims(image_, dim(1), dim(2), dim(3));
-    for (int axis = 4; axis <= 7; ++axis)
-      if (dim(axis) < 1) throw Error(image_.path, "its header gives a dimension of no length", "the header is damaged");
-    if (dim(5) > 1)
-      throw Error(image_.path, "holds vectors of " + std::to_string(dim(5)) + " components",
+    std::array<std::int64_t, 8> stored{};
+    for (std::size_t axis = 0; axis < stored.size(); ++axis)
+      stored[axis] = static_cast<std::int64_t>(field(header_.dim[axis]));
+    const std::array<std::int64_t, 8> dim = axisLengths(image_, stored);
+    setDims(image_, dim[1], dim[2], dim[3]);
+    if (dim[5] > 1)
+      throw Error(image_.path, "holds vectors of " + std::to_string(dim[5]) + " components",
                   "only scalar volumes can be opened; extract one component first");
     const std::uint64_t volumes =
-        saturatingProduct(saturatingProduct(static_cast<std::uint64_t>(dim(4)), static_cast<std::uint64_t>(dim(6))),
-                          static_cast<std::uint64_t>(dim(7)));
+        saturatingProduct(saturatingProduct(static_cast<std::uint64_t>(dim[4]), static_cast<std::uint64_t>(dim[6])),
+                          static_cast<std::uint64_t>(dim[7]));
     if (volumes > 1'000'000)
       throw Error(image_.path, "its header gives over a million time points", "the header is damaged");
     image_.volumes = static_cast<std::int64_t>(volumes);
@@ -158,7 +163,7 @@ class Interpreter {
   }
 
   void readGeometry() {
-    const double unit = millimetres(field(header_.xyzt_units));
+    const double unit = millimetresOf(image_, unitNamed(field(header_.xyzt_units)));
     const bool hasSform = field(header_.sform_code) > 0, hasQform = field(header_.qform_code) > 0;
     if (hasSform && useSform(unit)) return;
     const glm::dvec3 spacing = readSpacing();
@@ -238,6 +243,25 @@ std::optional<ElementType> niftiElementType(int datatype) {
     default:
       return std::nullopt;
   }
+}
+
+std::array<std::int64_t, 8> axisLengths(ImageFile& image, const std::array<std::int64_t, 8>& dim) {
+  std::array<std::int64_t, 8> lengths;
+  lengths.fill(1);
+  const auto rank = static_cast<std::size_t>(dim[0]);
+  std::copy_n(dim.begin(), rank + 1, lengths.begin());
+  std::string assumed;
+  for (std::size_t axis = rank; axis >= 3 && (lengths[axis] == 0 || lengths[axis] == 1); --axis)
+    if (lengths[axis] == 0) {
+      lengths[axis] = 1;
+      assumed = std::to_string(axis) + (assumed.empty() ? "" : ", " + assumed);
+    }
+  if (!assumed.empty())
+    image.warnings.push_back(
+        {Warning::Kind::Other, "its header gives length 0 for dimension " + assumed + "; 1 is assumed", {image.path}});
+  if (std::any_of(lengths.begin() + 4, lengths.end(), [](std::int64_t length) { return length < 1; }))
+    throw Error(image.path, "its header gives a dimension of no length", "the header is damaged");
+  return lengths;
 }
 
 fs::path pairPartner(const fs::path& path, const std::string& extension) {

@@ -1,5 +1,6 @@
 // NRRD, attached and detached. Definition: teem.sourceforge.net/nrrd/format.html.
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <limits>
@@ -9,13 +10,11 @@
 
 #include "io/base/Text.h"
 #include "io/formats/ImageFile.h"
+#include "io/formats/NrrdHeader.h"
 
 namespace fenestra::io {
 namespace fs = std::filesystem;
 namespace {
-
-/// Headers are a few kilobytes; Slicer's segmentations write one line of terminology a segment.
-constexpr std::size_t longestHeader = 16u << 20;
 
 const std::map<std::string, ElementType> elementTypes = {{"signed char", ElementType::Int8},
                                                          {"int8", ElementType::Int8},
@@ -58,119 +57,6 @@ const std::map<std::string, ElementType> elementTypes = {{"signed char", Element
                                                          {"float", ElementType::Float32},
                                                          {"double", ElementType::Float64}};
 
-/// Field names come with and without blanks ("data file", "datafile").
-std::string withoutBlanks(const std::string& text) {
-  std::string result;
-  for (const char c : lowered(text))
-    if (c != ' ') result += c;
-  return result;
-}
-
-struct Header {
-  std::map<std::string, std::string> fields;  ///< by name without blanks
-  std::map<std::string, std::string> pairs;   ///< "key:=value"
-  std::vector<std::string> listed;            ///< data files after "data file: LIST"
-  std::uint64_t bytes = 0;                    ///< length with the blank line
-};
-
-/// The value of a pair without NRRD's escapes.
-std::string unescaped(const std::string& value) {
-  std::string result;
-  for (std::size_t i = 0; i < value.size(); ++i) {
-    const bool escape = value[i] == '\\' && i + 1 < value.size() && (value[i + 1] == '\\' || value[i + 1] == 'n');
-    result += !escape ? value[i] : value[i + 1] == 'n' ? '\n' : '\\';
-    i += escape;
-  }
-  return result;
-}
-
-Header readLines(const fs::path& path) {
-  const auto stream = openStream(path, 0, Packing::None);
-  Header header;
-  std::vector<char> buffer(16 * 1024);
-  std::string line;
-  bool first = true, listing = false;
-  std::size_t got = 0, at = 0;
-  for (;;) {
-    if (at == got) {
-      got = stream->read(reinterpret_cast<std::byte*>(buffer.data()), buffer.size());
-      at = 0;
-    }
-    const bool ended = got == 0;
-    if (!ended) {
-      ++header.bytes;
-      if (header.bytes > longestHeader) throw Error(path, "its header has no end", "the file is damaged");
-      const char c = buffer[at++];
-      if (c != '\n') {
-        line += c;
-        continue;
-      }
-    }
-    if (!line.empty() && line.back() == '\r') line.pop_back();
-    if (line.empty()) return header;
-    if (listing) {
-      header.listed.push_back(trimmed(line));
-    } else if (!first && line.front() != '#') {
-      const std::size_t colon = line.find(": "), pair = line.find(":=");
-      if (pair != std::string::npos && (colon == std::string::npos || pair < colon)) {
-        header.pairs[line.substr(0, pair)] = unescaped(trimmed(line.substr(pair + 2)));
-      } else if (colon != std::string::npos || line.back() == ':') {
-        const std::size_t end = colon == std::string::npos ? line.size() - 1 : colon;
-        const std::string name = withoutBlanks(line.substr(0, end));
-        const std::string value = trimmed(line.substr(end + 1));
-        listing = name == "datafile" && words(value).size() >= 1 && words(value)[0] == "LIST";
-        header.fields[name] = value;
-      } else {
-        throw Error(path, "its header has a line that is no field", "the file is damaged or no NRRD file");
-      }
-    }
-    first = false;
-    line.clear();
-    if (ended) return header;
-  }
-}
-
-/// A direction or position in the file's space, which may have two dimensions, three, or time as a fourth.
-struct SpaceVector {
-  glm::dvec3 place{0.0};
-  double time = 0.0;
-  std::size_t dimension = 0;
-  bool isTime() const { return dimension == 4 && place == glm::dvec3(0.0) && time != 0.0; }
-};
-
-/// "(a,b,c)" or "none", one each, blanks allowed inside the parentheses; all of one dimension.
-std::optional<std::vector<std::optional<SpaceVector>>> vectorsIn(const std::string& text) {
-  std::vector<std::optional<SpaceVector>> result;
-  std::size_t dimension = 0;
-  for (std::size_t at = 0; at < text.size();) {
-    if (text[at] == ' ' || text[at] == '\t') {
-      ++at;
-    } else if (text.compare(at, 4, "none") == 0) {
-      result.emplace_back();
-      at += 4;
-    } else if (text[at] == '(') {
-      const std::size_t end = text.find(')', at);
-      if (end == std::string::npos) return std::nullopt;
-      std::string inside = text.substr(at + 1, end - at - 1);
-      for (char& c : inside)
-        if (c == ',') c = ' ';
-      const auto numbers = numbersIn<double>(inside);
-      if (!numbers || numbers->size() < 2 || numbers->size() > 4) return std::nullopt;
-      if (dimension != 0 && numbers->size() != dimension) return std::nullopt;
-      dimension = numbers->size();
-      SpaceVector vector{.dimension = dimension};
-      for (std::size_t i = 0; i < std::min<std::size_t>(dimension, 3); ++i)
-        vector.place[static_cast<int>(i)] = (*numbers)[i];
-      if (dimension == 4) vector.time = (*numbers)[3];
-      result.emplace_back(vector);
-      at = end + 1;
-    } else {
-      return std::nullopt;
-    }
-  }
-  return result;
-}
-
 struct Space {
   glm::dvec3 lpsFrom;  ///< sign of each world axis
   bool anatomical;
@@ -189,19 +75,16 @@ Space spaceNamed(std::string name, const fs::path& path) {
   throw Error(path, "its space '" + name + "' is not supported", "save it in a space such as left-posterior-superior");
 }
 
-double millimetres(const std::string& units) {
-  const auto quoted = [&](const char* unit) {
-    return units.find(std::string("\"") + unit + "\"") != std::string::npos;
-  };
-  if (quoted("um") || quoted("µm")) return 0.001;
-  if (quoted("cm")) return 10.0;
-  if (quoted("m")) return 1000.0;
-  return 1.0;
+/// Whether the components at each voxel are pictures of their own; colours, complex numbers and tensors are not.
+bool isSeparate(const std::string& kind) {
+  for (const char* known : {"list", "time", "???", "none", "stub", "scalar", "point"})
+    if (kind == known) return true;
+  return kind.ends_with("vector") || kind.ends_with("normal") || kind.ends_with("gradient");
 }
 
 class Reader {
  public:
-  explicit Reader(const fs::path& path) : header_(readLines(path)) {
+  explicit Reader(const fs::path& path) : header_(readNrrdLines(path)) {
     image_.path = path;
     image_.format = "NRRD";
   }
@@ -244,12 +127,14 @@ class Reader {
     if (!directions || (!directions->empty() && directions->size() != sizes->size())) refuseField("space directions");
     const std::vector<std::string> kinds = words(field("kinds"));
 
+    std::vector<std::size_t> spatial;
     const auto isSpatial = [&](std::size_t axis) {
       if (!directions->empty()) return (*directions)[axis] && !(*directions)[axis]->isTime();
-      if (kinds.size() == sizes->size()) return kinds[axis] == "domain" || kinds[axis] == "space";
+      // ITK calls every axis of a series a domain.
+      if (kinds.size() == sizes->size())
+        return spatial.size() < 3 && (lowered(kinds[axis]) == "domain" || lowered(kinds[axis]) == "space");
       return sizes->size() <= 3 || axis < 3;
     };
-    std::vector<std::size_t> spatial;
     for (std::size_t axis = 0; axis < sizes->size(); ++axis) {
       const std::int64_t size = (*sizes)[axis];
       if (isSpatial(axis)) {
@@ -258,10 +143,9 @@ class Reader {
         continue;
       }
       if (size < 1 || size > 1'000'000) refuseField("sizes");
-      const std::string kind = kinds.size() == sizes->size() ? lowered(kinds[axis]) : "list";
-      const bool separate =
-          size == 1 || kind == "list" || kind == "time" || kind == "???" || kind == "none" || kind == "stub";
-      if (!separate)
+      std::string kind = kinds.size() == sizes->size() ? lowered(kinds[axis]) : "list";
+      if (kind == "domain" || kind == "space") kind = "time";  // a fourth axis
+      if (size != 1 && !isSeparate(kind))
         throw Error(image_.path, "holds " + std::to_string(size) + " values at each voxel (" + kind + ")",
                     "only scalar volumes can be opened; extract one component first");
       (spatial.empty() ? image_.interleaved : image_.volumes) *= size;
@@ -273,10 +157,42 @@ class Reader {
     spatial_ = spatial;
   }
 
+  /// Throws Error when the vectors of a field have another number of coordinates than the space: decimal commas make
+  /// four numbers of three.
+  void checkDimension(const char* name, const std::vector<std::optional<SpaceVector>>& vectors) const {
+    const std::string space = lowered(field("space"));
+    const std::size_t dimension = space.empty() ? numberIn<std::size_t>(field("spacedimension")).value_or(0)
+                                  : space.ends_with("-time") || space.size() == 4 ? 4
+                                                                                  : 3;
+    for (const auto& vector : vectors)
+      if (vector && dimension != 0 && vector->dimension != dimension)
+        throw Error(image_.path,
+                    std::string("its header's '") + name + "' is not understood: it has vectors of " +
+                        std::to_string(vector->dimension) + " numbers in a space of " + std::to_string(dimension),
+                    "write its numbers with decimal points, or get the file again");
+  }
+
+  /// Millimetres in the units that the header names: of the world's axes ("space units"), or else of the file's own
+  /// axes ("units"), which files without directions have.
+  void readUnits(bool hasDirections) {
+    const std::vector<std::string> ofWorld = quotedWords(field("spaceunits")), ofAxes = quotedWords(field("units"));
+    if (!ofWorld.empty() && (hasDirections || ofAxes.empty())) {
+      for (std::size_t i = 0; i < 3; ++i)
+        worldUnit_[static_cast<int>(i)] = millimetresOf(image_, ofWorld[std::min(i, ofWorld.size() - 1)]);
+      return;
+    }
+    for (std::size_t i = 0; i < spatial_.size(); ++i)
+      if (spatial_[i] < ofAxes.size()) axisUnit_[static_cast<int>(i)] = millimetresOf(image_, ofAxes[spatial_[i]]);
+    // A position has no axis; it is in their common unit.
+    if (spatial_.size() == 2) axisUnit_.z = axisUnit_.y;
+    if (axisUnit_ == glm::dvec3(axisUnit_.x)) originUnit_ = axisUnit_.x;
+  }
+
   void readGeometry() {
     const Space space = spaceNamed(lowered(field("space")), image_.path);
-    const double unit = millimetres(field("spaceunits"));
     const auto directions = *vectorsIn(field("spacedirections"));
+    checkDimension("space directions", directions);
+    readUnits(!directions.empty());
     glm::dmat3 columns(1.0);
     if (!directions.empty()) {
       for (std::size_t i = 0; i < spatial_.size(); ++i) columns[static_cast<int>(i)] = directions[spatial_[i]]->place;
@@ -285,12 +201,15 @@ class Reader {
       readSpacings(columns);
     }
     glm::dvec3 origin(0.0);
-    if (const auto given = vectorsIn(field("spaceorigin")); given && given->size() == 1 && given->front())
-      origin = given->front()->place;
-    else if (!field("spaceorigin").empty())
+    if (const auto given = vectorsIn(field("spaceorigin")); given && given->size() == 1 && given->front()) {
+      checkDimension("space origin", *given);
+      origin = given->front()->place * originUnit_;
+    } else if (!field("spaceorigin").empty()) {
       refuseField("space origin");
-    for (int column = 0; column < 3; ++column) columns[column] *= space.lpsFrom * unit;
-    if (!setGeometry(image_.grid, columns, origin * space.lpsFrom * unit)) refuseField("space directions");
+    }
+    const glm::dvec3 lpsFrom = space.lpsFrom * worldUnit_;
+    for (int column = 0; column < 3; ++column) columns[column] *= axisUnit_[column] * lpsFrom;
+    if (!setGeometry(image_.grid, columns, origin * lpsFrom)) refuseField("space directions");
     if (directions.empty() || !space.anatomical)
       image_.warnings.push_back(
           {Warning::Kind::NoGeometry,
@@ -302,10 +221,12 @@ class Reader {
   /// Per-axis spacings, of a file without directions.
   void readSpacings(glm::dmat3& columns) {
     const std::vector<std::string> spacings = words(field("spacings"));
+    const auto numbers = headerNumbers(image_, "spacings", field("spacings"));
     bool garbled = false, negative = false;
     for (std::size_t i = 0; i < spatial_.size(); ++i) {
-      const auto given =
-          spatial_[i] < spacings.size() ? numberIn<double>(spacings[spatial_[i]]) : std::optional<double>();
+      const std::size_t axis = spatial_[i];
+      std::optional<double> given;
+      if (axis < spacings.size()) given = numbers ? (*numbers)[axis] : numberIn<double>(spacings[axis]);
       const bool usable = given && std::isfinite(*given) && *given != 0.0;
       garbled |= !usable;
       negative |= usable && *given < 0.0;
@@ -378,9 +299,11 @@ class Reader {
     if (source.files.empty()) refuseField("data file");
   }
 
-  Header header_;
+  NrrdHeader header_;
   ImageFile image_;
   std::vector<std::size_t> spatial_;
+  glm::dvec3 worldUnit_{1.0}, axisUnit_{1.0};  ///< mm
+  double originUnit_ = 1.0;                    ///< mm
 };
 
 }  // namespace

@@ -31,10 +31,16 @@ struct SessionData {
   bool operator==(const SessionData&) const = default;
 };
 
+struct SessionLabels : SessionData {
+  std::filesystem::path table;  ///< of names and colours, chosen for them; absolute; empty: none
+  bool operator==(const SessionLabels&) const = default;
+};
+
 struct SessionVolume : SessionData {
   std::string series;                 ///< seriesKey() of its id; empty where the file holds one volume
   int time = 1;                       ///< time point outside DICOM, where each is a series
   std::optional<RawDescription> raw;  ///< how its bytes are read
+  std::optional<glm::dvec3> spacing;  ///< mm, told for a file that does not say it
   Regularise regularise = Regularise::Automatic;
   std::optional<Modality> modality;  ///< as in OpenedVolume
   bool operator==(const SessionVolume&) const = default;
@@ -83,7 +89,7 @@ struct SessionOverlays {
 struct Session {
   SessionVolume volume;
   std::optional<SessionPhantom> phantom;
-  SessionData labels;
+  SessionLabels labels;
   Look look;
   Quality quality = Quality::Normal;
   std::optional<double> maxError;    ///< see View::maxError

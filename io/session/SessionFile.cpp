@@ -58,7 +58,8 @@ fs::path tidy(const fs::path& path) {
 /// Every path of a session.
 template <class F>
 void forEachPath(Session& session, F&& change) {
-  for (fs::path* path : {&session.volume.path, &session.labels.path, &session.look.context.file, &session.autosaveOf})
+  for (fs::path* path : {&session.volume.path, &session.labels.path, &session.labels.table, &session.look.context.file,
+                         &session.autosaveOf})
     if (!path->empty()) change(*path);
 }
 

@@ -87,13 +87,26 @@ void members(auto& io, Is<SessionData> auto& data) {
   io.optional("files", data.contents.files, known, {}, {"Number of files"});
 }
 
+/// The members that `data` has of its base.
+void baseMembers(auto& io, auto& data) {
+  members(io, static_cast<std::conditional_t<std::is_const_v<std::remove_reference_t<decltype(data)>>,
+                                             const SessionData, SessionData>&>(data));
+}
+
+void members(auto& io, Is<SessionLabels> auto& labels) {
+  baseMembers(io, labels);
+  io.optional("table", labels.table, !labels.table.empty(), {},
+              {"A table of names and colours in place of the label map's own"});
+}
+
 void members(auto& io, Is<SessionVolume> auto& volume) {
-  members(io, static_cast<std::conditional_t<std::is_const_v<std::remove_reference_t<decltype(volume)>>,
-                                             const SessionData, SessionData>&>(volume));
+  baseMembers(io, volume);
   io.optional("series", volume.series, !volume.series.empty(), {},
               {"sha256:HEX of the series' id as fenestra-cli info gives it; the id itself leads to the patient"});
   io.optional("time", volume.time, volume.time != 1, {1.0, 1e6}, {"Time point, from 1, of a file that holds several"});
   io.optional("raw", volume.raw, volume.raw.has_value(), {}, {"How the bytes of a file without a header are read"});
+  io.optional("spacing", volume.spacing, volume.spacing.has_value(), positiveMillimetres,
+              {"Between voxel centres, told for a file that does not say it", "mm"});
   io.optional("regularise", volume.regularise, volume.regularise != Regularise::Automatic, {},
               {"Whether slices that lie unevenly or askew are resampled onto even planes"});
   io.optional("modality", volume.modality, volume.modality.has_value(), {},

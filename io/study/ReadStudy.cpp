@@ -31,8 +31,9 @@ void makePhantom(const SessionPhantom& phantom, Study& study, const Progress& pr
 }
 
 void openSession(const DataRequest& request, Study& study, const Progress& progress) {
-  if (!request.series.empty() || request.raw || request.time || request.modality)
-    throw Error(request.path, "records how its volume is read", "leave out --series, --time, --raw and --modality");
+  if (!request.series.empty() || request.raw || request.spacing || request.time || request.modality)
+    throw Error(request.path, "records how its volume is read",
+                "leave out --series, --time, --raw, --spacing and --modality");
   study.session = request.session ? *request.session : readSession(request.path);
   study.restoresSession = true;
   study.isRecovered = request.isRecovered;
@@ -41,8 +42,9 @@ void openSession(const DataRequest& request, Study& study, const Progress& progr
   else if (isSession(request.path))
     study.sessionFile = request.path;
   if (!study.session.phantom) return openSessionData(request, study, progress);
-  if (!request.data.empty() || !request.labels.empty())
-    throw Error(request.path, "shows a phantom, which is not read from files", "leave out --data and --labels");
+  if (!request.data.empty() || !request.labels.empty() || !request.labelTable.empty())
+    throw Error(request.path, "shows a phantom, which is not read from files",
+                "leave out --data, --labels and --label-table");
   makePhantom(*study.session.phantom, study, progress);
 }
 
@@ -51,6 +53,7 @@ void openFiles(const DataRequest& request, Study& study, const Progress& progres
   OpenOptions options{.series = request.series,
                       .time = request.time,
                       .raw = request.raw,
+                      .spacing = request.spacing,
                       .allowOutside = request.allowOutside,
                       .regularise = request.regularise.value_or(Regularise::Automatic),
                       .modality = request.modality,
@@ -58,11 +61,11 @@ void openFiles(const DataRequest& request, Study& study, const Progress& progres
   takeVolume(openVolume(request.path, options), study);
   study.session.volume = sessionVolume(request.path, study, options);
   if (request.labels.empty()) return;
-  OpenedLabels opened =
-      openLabels(request.labels, study.scene.volume->grid, partOf(progress, volumeShare, 1.0), request.allowOutside);
+  OpenedLabels opened = openLabels(request.labels, study.scene.volume->grid, partOf(progress, volumeShare, 1.0),
+                                   request.allowOutside, request.labelTable);
   study.scene.labels = std::move(opened.labels);
   std::move(opened.warnings.begin(), opened.warnings.end(), std::back_inserter(study.warnings));
-  study.session.labels = sessionLabels(request.labels);
+  study.session.labels = sessionLabels(request.labels, request.labelTable);
 }
 
 void setContext(const StudyRequest& request, Study& study) {

@@ -5,6 +5,7 @@
 #include <system_error>
 
 #include "io/LabelReader.h"
+#include "io/LabelTable.h"
 #include "io/VolumeReader.h"
 #include "io/base/Archive.h"
 #include "io/base/Contents.h"
@@ -186,6 +187,7 @@ OpenedVolume openSessionVolume(const DataRequest& request, SessionVolume& data, 
     options.series = data.series;
     if (data.time > 1) options.time = data.time;
     options.raw = data.raw;
+    options.spacing = data.spacing;
     options.allowOutside = request.allowOutside;
     options.progress = partOf(progress, 0.0, 0.7);
     OpenedVolume volume;
@@ -203,6 +205,7 @@ OpenedVolume openSessionVolume(const DataRequest& request, SessionVolume& data, 
   const auto filesAt = [&](const fs::path& path) {
     OpenOptions options;
     options.raw = data.raw;
+    options.spacing = data.spacing;
     options.allowOutside = request.allowOutside;
     for (const SeriesInfo& series : listSeries(path, options))
       if (data.series.empty() || data.series == seriesKey(series.id)) return filesOf(path, series.files);
@@ -211,11 +214,27 @@ OpenedVolume openSessionVolume(const DataRequest& request, SessionVolume& data, 
   return openMoved(DataMissing::Data::Volume, data, request.data, folder, progress, warnings, openAt, filesAt);
 }
 
-OpenedLabels openSessionLabels(const DataRequest& request, SessionData& data, const fs::path& folder, const Grid& grid,
-                               const Progress& progress, std::vector<Warning>& warnings) {
+/// The table of names that was chosen for a session's labels; empty, with a warning, where it cannot be used any more.
+fs::path sessionTable(const DataRequest& request, SessionLabels& data, std::vector<Warning>& warnings) {
+  if (!request.labelTable.empty()) data.table = fs::absolute(request.labelTable);
+  if (data.table.empty() || !request.labelTable.empty()) return data.table;
+  try {
+    if (!readLabelTable(data.table).empty()) return data.table;
+  } catch (const Error&) {  // it is not there
+  }
+  warnings.push_back({Warning::Kind::ChangedData,
+                      "the table of label names \"" + data.table.filename().string() +
+                          "\" that the session names cannot be read; the label map's own names are shown",
+                      {data.table}});
+  return {};
+}
+
+OpenedLabels openSessionLabels(const DataRequest& request, SessionLabels& data, const fs::path& folder,
+                               const Grid& grid, const Progress& progress, std::vector<Warning>& warnings) {
+  const fs::path table = sessionTable(request, data, warnings);
   const auto filesAt = [&](const fs::path& path) { return labelFilesAt(path, request.allowOutside); };
   const auto openAt = [&](const fs::path& path) {
-    OpenedLabels labels = openLabels(path, grid, partOf(progress, 0.8, 0.9), request.allowOutside);
+    OpenedLabels labels = openLabels(path, grid, partOf(progress, 0.8, 0.9), request.allowOutside, table);
     std::vector<fs::path> files = filesAt(path);
     return Opened{std::move(labels), contentsOf(files, partOf(progress, 0.9, 1.0)), files};
   };
@@ -233,20 +252,22 @@ SessionVolume sessionVolume(const fs::path& path, const VolumeInfo& volume, cons
   else
     data.time = std::max(volume.series.time, 1);
   data.raw = options.raw;
+  data.spacing = options.spacing;
   data.regularise = options.regularise;
   data.modality = volume.modality;
   return data;
 }
 
-SessionData sessionLabels(const fs::path& path) {
-  SessionData data;
+SessionLabels sessionLabels(const fs::path& path, const fs::path& table) {
+  SessionLabels data;
+  if (!table.empty()) data.table = fs::absolute(table);
   data.path = fs::absolute(path);
   data.files = labelFilesAt(path, true);  // they have been opened
   return data;
 }
 
 void noteContents(Session& session, const Progress& progress) {
-  for (SessionData* data : {static_cast<SessionData*>(&session.volume), &session.labels}) {
+  for (SessionData* data : {static_cast<SessionData*>(&session.volume), static_cast<SessionData*>(&session.labels)}) {
     if (data->path.empty() || !data->contents.hash.empty()) continue;
     try {
       data->contents = contentsOf(data->files, progress);

@@ -38,7 +38,7 @@ void openSessionData(const DataRequest& request, Study& study, const Progress& p
 /// Open data as a session keeps them, without contents.
 SessionVolume sessionVolume(const std::filesystem::path& path, const VolumeInfo& volume,
                             const OpenOptions& options = {});
-SessionData sessionLabels(const std::filesystem::path& path);
+SessionLabels sessionLabels(const std::filesystem::path& path, const std::filesystem::path& table = {});
 /// Hashes the data that have no hash yet, which takes a while. Unreadable files leave the contents unknown, so that a
 /// session can be saved while the disk with its data is not mounted. Throws Cancelled.
 void noteContents(Session& session, const Progress& progress = {});

@@ -25,10 +25,12 @@ struct DataRequest {
   std::string series;          ///< as in OpenOptions
   std::optional<int> time;     ///< time point, from 1
   std::optional<RawDescription> raw;
+  std::optional<glm::dvec3> spacing;     ///< see OpenOptions
   bool allowOutside = false;             ///< see OpenOptions
   std::optional<Regularise> regularise;  ///< unset: Automatic, or the session's
   std::optional<Modality> modality;      ///< unset: as the file says, or recognised
   std::filesystem::path labels;          ///< file of a label map; empty: the session's or phantom's own
+  std::filesystem::path labelTable;      ///< of names and colours; empty: the map's own, or the session's
   std::optional<Session> session;        ///< that `path` was read as, or that lay in the folder of `path`
   std::filesystem::path data;            ///< where a session's volume is now; empty: where it says
   /// The session is an automatic copy that was not saved. It takes the place of the session that `autosaveOf` names.

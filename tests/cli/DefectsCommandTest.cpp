@@ -100,6 +100,9 @@ TEST_P(DefectsCommandTable, EndsWithTheCodeAndTheLineThatTheTableSays) {
   EXPECT_EQ(ended.error, "");
   const nlohmann::json report = nlohmann::json::parse(ended.out, nullptr, false);
   ASSERT_FALSE(report.is_discarded()) << ended.out;
+  for (int axis = 0; defect.spacing && axis < 3; ++axis)
+    EXPECT_NEAR(report.at("spacing").at(static_cast<std::size_t>(axis)).get<double>(), (*defect.spacing)[axis],
+                1e-6 * (*defect.spacing)[axis]);
   const nlohmann::json& warnings = report.at("warnings");
   EXPECT_EQ(std::any_of(warnings.begin(), warnings.end(),
                         [&](const nlohmann::json& warning) {

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <array>
 
 #include <zlib.h>
@@ -10,6 +11,8 @@
 #include "tests/io/DicomWriter.h"
 #include "tests/io/IoTesting.h"
 #include "tests/io/LabelFiles.h"
+#include "tests/io/NiftiBytes.h"
+#include "tests/io/TiffFiles.h"
 #include "tests/session/SessionTesting.h"
 #include "tests/support/TestData.h"
 
@@ -63,8 +66,25 @@ std::vector<std::string> nrrdSeeds(const fs::path& folder) {
       "NRRD0005\ntype: uchar\ndimension: 3\nsizes: 4 3 2\nspace: left-posterior-superior\n"
       "space directions: (1,0,0) (0,1,0) (0,0,1)\nspace origin: (0,0,0)\n";
   seeds.push_back(header + "encoding: gzip\n\n" + tests::gzipped(raw));
+  seeds.push_back(
+      "NRRD0005\ntype: uchar\ndimension: 4\nsizes: 2 3 2 2\nkinds: vector domain domain domain\nspacings: nan 7,5 800 "
+      "2500\n"
+      "units: \"\" \"um\" \"microns\" \"\xB5m\"\nencoding: raw\n\n" +
+      raw);
   seeds.push_back(header + "encoding: ascii\n\n1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16 17 18 19 20 21 22 23 24");
   return seeds;
+}
+
+/// With a label table among its extensions, as TotalSegmentator writes it.
+std::string extendedNiftiSeed() {
+  std::string header = tests::niftiHeader({.dims = {4, 3, 2}, .datatype = 2});
+  std::string table =
+      "<LabelTable><Label Key=\"1\" Red=\"1\" Green=\"0\" Blue=\"0\"><![CDATA[a]]></Label></LabelTable>";
+  table.resize(104, ' ');
+  header[348] = 1;
+  const std::string offset = bytesOf(static_cast<float>(header.size() + 8 + table.size()));
+  std::copy(offset.begin(), offset.end(), header.begin() + 108);
+  return header + bytesOf(std::int32_t{112}) + bytesOf(std::int32_t{0}) + table + std::string(24, '\1');
 }
 
 std::vector<std::string> labelSeeds(const std::filesystem::path& folder) {
@@ -85,7 +105,21 @@ std::vector<std::string> labelSeeds(const std::filesystem::path& folder) {
       "encoding: raw\nSegment0_ID:=a\nSegment0_Name:=kidney\nSegment0_LabelValue:=1\nSegment0_Color:=1 0 0.5\n"
       "Segment0_Layer:=0\n\n" +
           raw,
-      readFile(folder / "seg.dcm"), readFile(folder / "map.dcm"), readFile(folder / "plan.dcm")};
+      extendedNiftiSeed(), readFile(folder / "seg.dcm"), readFile(folder / "map.dcm"), readFile(folder / "plan.dcm")};
+}
+
+std::vector<std::string> tiffSeeds(const fs::path& folder) {
+  std::vector<std::string> seeds;
+  for (const char* mode : {"wl", "wb", "wl8"})
+    for (const int compression : {1, 5, 8, 32773})
+      for (const bool tiled : {false, true}) {
+        tests::TiffSpec spec{.pages = 2, .compression = compression, .tiled = tiled, .mode = mode};
+        spec.description = "ImageJ=1.53t\nimages=2\nslices=2\nunit=um\nspacing=3\n";
+        spec.resolution = 0.5;
+        tests::writeTiff(folder / "a.tif", spec);
+        seeds.push_back(readFile(folder / "a.tif"));
+      }
+  return seeds;
 }
 
 std::string mghSeed() {
@@ -125,6 +159,7 @@ std::vector<std::string> seedsOf(const Target& target) {
   if (target.name == "nrrd") return nrrdSeeds(folder);
   if (target.name == "metaimage") return volumeSeeds(folder, {"a.mha"});
   if (target.name == "mgh") return {mghSeed(), tests::gzipped(mghSeed())};
+  if (target.name == "tiff") return tiffSeeds(folder);
   if (target.name == "archive") return {zipSeed(nrrdSeeds(folder).front())};
   if (target.name == "labels") return labelSeeds(folder);
   if (target.name == "session") return {io::textOf(tests::fullSession(folder), folder / "a.fenestra")};

@@ -20,6 +20,8 @@ namespace {
 
 void openAsVolume(const fs::path& file) { io::openVolume(file); }
 
+void openTiff(const fs::path& file) { io::openVolume(file, {.spacing = glm::dvec3(0.1)}); }
+
 void openAsLabels(const fs::path& file) {
   Grid target;
   target.dims = {7, 6, 5};
@@ -38,17 +40,13 @@ void openTransferFunction(const fs::path& file) {
   io::loadContextFunction(file.string(), volume);
 }
 
-constexpr std::array all{Target{"dicom", "input.dcm", openAsVolume},
-                         Target{"nifti", "input.nii", openAsVolume},
-                         Target{"nrrd", "input.nrrd", openAsVolume},
-                         Target{"metaimage", "input.mha", openAsVolume},
-                         Target{"mgh", "input.mgh", openAsVolume},
-                         Target{"archive", "input.zip", openAsVolume},
-                         Target{"labels", "input.labels", openAsLabels},
-                         Target{"session", "input.fenestra", openSession},
-                         Target{"look", "input.json", openLook},
-                         Target{"strokes", "input.json", openStrokes},
-                         Target{"transfer-function", "input.json", openTransferFunction}};
+constexpr std::array all{
+    Target{"dicom", "input.dcm", openAsVolume},       Target{"nifti", "input.nii", openAsVolume},
+    Target{"nrrd", "input.nrrd", openAsVolume},       Target{"metaimage", "input.mha", openAsVolume},
+    Target{"mgh", "input.mgh", openAsVolume},         Target{"tiff", "input.tif", openTiff},
+    Target{"archive", "input.zip", openAsVolume},     Target{"labels", "input.labels", openAsLabels},
+    Target{"session", "input.fenestra", openSession}, Target{"look", "input.json", openLook},
+    Target{"strokes", "input.json", openStrokes},     Target{"transfer-function", "input.json", openTransferFunction}};
 
 /// In memory where the machine has such a folder: a fuzzer writes thousands of files a second.
 class PrivateFolder {

@@ -1,6 +1,7 @@
 #pragma once
 // Headers of Analyze 7.5 of known content.
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <string>
@@ -19,6 +20,7 @@ struct AnalyzeSpec {
   float slope = 0, offset = 0;
   char orientation = 0;
   std::array<std::int16_t, 3> origin{0, 0, 0};
+  std::string unit{};  ///< of up to three characters
 };
 
 inline std::string analyzeHeader(const AnalyzeSpec& spec) {
@@ -32,6 +34,7 @@ inline std::string analyzeHeader(const AnalyzeSpec& spec) {
   bytes[38] = 'r';
   put(40, static_cast<std::int16_t>(spec.dims.size()));
   for (std::size_t i = 0; i < spec.dims.size(); ++i) put(42 + 2 * i, spec.dims[i]);
+  std::copy(spec.unit.begin(), spec.unit.end(), bytes.begin() + 56);
   put(70, spec.datatype);
   for (std::size_t i = 0; i < 3; ++i) put(80 + 4 * i, spec.spacing[i]);
   put(108, spec.offset);

@@ -90,7 +90,7 @@ TEST(Analyze, DamagedFilesAreErrors) {
   spec.dims = {2, 3, 40};
   writePair(folder, spec);
   EXPECT_NE(errorOf([&] { io::openVolume(folder / "a.hdr"); }).find("holds"), std::string::npos);
-  spec.dims = {2, 3, 4, 0};
+  spec.dims = {2, 3, 4, -1};
   writePair(folder, spec);
   EXPECT_NE(errorOf([&] { io::openVolume(folder / "a.hdr"); }).find("dimension of no length"), std::string::npos);
 }

@@ -3,6 +3,7 @@
 #include <cctype>
 
 #include "io/VolumeReader.h"
+#include "io/base/Text.h"
 
 namespace fenestra::tests {
 
@@ -13,15 +14,22 @@ io::OpenOptions Defect::options() const {
   io::OpenOptions options;
   if (!raw.empty()) options.raw = io::parseRawDescription(raw);
   options.time = time;
+  options.spacing = told;
   return options;
 }
 
 std::vector<std::string> Defect::command(const std::filesystem::path& path) const {
-  if (!labelsOf.empty())
-    return {"convert", (path.parent_path() / labelsOf).string(), "--labels", path.string(),
-            "-o",      (path.parent_path() / "out.nii").string()};
+  if (!labelsOf.empty()) {
+    std::vector<std::string> words{"convert", (path.parent_path() / labelsOf).string(), "--labels", path.string(),
+                                   "-o",      (path.parent_path() / "out.nii").string()};
+    if (!labelTable.empty()) words.insert(words.end(), {"--label-table", (path.parent_path() / labelTable).string()});
+    return words;
+  }
   std::vector<std::string> arguments{"info", path.string()};
   if (!raw.empty()) arguments.insert(arguments.end(), {"--raw", raw});
+  if (told)
+    arguments.insert(arguments.end(), {"--spacing", io::plainNumber(told->x) + "," + io::plainNumber(told->y) + "," +
+                                                        io::plainNumber(told->z)});
   if (time) arguments.insert(arguments.end(), {"--time", std::to_string(*time)});
   return arguments;
 }
@@ -41,7 +49,8 @@ std::string testNameOf(const Defect& defect) {
 
 std::vector<Defect> allDefects() {
   std::vector<Defect> all;
-  for (const auto& part : {dicomDefects(), fileDefects(), labelDefects()})
+  for (const auto& part :
+       {dicomDefects(), fileDefects(), meaningDefects(), tiffDefects(), labelDefects(), labelNameDefects()})
     all.insert(all.end(), part.begin(), part.end());
   return all;
 }

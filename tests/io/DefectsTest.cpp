@@ -1,6 +1,7 @@
 // Every row of the table of defects, opened in this process.
 
 #include <algorithm>
+#include <cstdio>
 #include <set>
 
 #include <gtest/gtest.h>
@@ -22,11 +23,33 @@ std::string textsOf(const std::vector<io::Warning>& warnings) {
   return texts;
 }
 
+/// "#rrggbb"
+std::string hexOf(const glm::dvec3& colour) {
+  char text[8];
+  const glm::ivec3 bytes(glm::round(colour * 255.0));
+  std::snprintf(text, sizeof text, "#%02x%02x%02x", bytes.x & 255, bytes.y & 255, bytes.z & 255);
+  return text;
+}
+
 /// The warnings when the row's file is opened: a volume's warnings, or those of the labels on their volume's grid.
 std::vector<io::Warning> warningsOf(const Defect& defect, const fs::path& path) {
-  if (defect.labelsOf.empty()) return io::openVolume(path, defect.options()).warnings;
+  if (defect.labelsOf.empty()) {
+    const io::OpenedVolume opened = io::openVolume(path, defect.options());
+    for (int axis = 0; defect.spacing && axis < 3; ++axis)
+      EXPECT_NEAR(opened.volume->grid.spacing[axis], (*defect.spacing)[axis], 1e-6 * (*defect.spacing)[axis]);
+    return opened.warnings;
+  }
   const Grid grid = io::openVolume(path.parent_path() / defect.labelsOf).volume->grid;
-  return io::openLabels(path, grid).warnings;
+  const fs::path table = defect.labelTable.empty() ? fs::path() : path.parent_path() / defect.labelTable;
+  const io::OpenedLabels opened = io::openLabels(path, grid, {}, false, table);
+  std::set<std::string> named;
+  for (const Label& label : opened.labels->labels) {
+    const std::string text = std::to_string(label.value) + " " + label.name;
+    named.insert(text);
+    named.insert(text + " " + hexOf(label.colour));
+  }
+  for (const std::string& name : defect.labelNames) EXPECT_TRUE(named.contains(name)) << name;
+  return opened.warnings;
 }
 
 }  // namespace

@@ -1,9 +1,9 @@
 #include <limits>
-#include <map>
 #include <numeric>
 
 #include "tests/io/AnalyzeBytes.h"
 #include "tests/io/Defects.h"
+#include "tests/io/FileMakers.h"
 #include "tests/io/IoTesting.h"
 #include "tests/io/MghBytes.h"
 #include "tests/io/NiftiBytes.h"
@@ -14,89 +14,6 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN(), infinite = std::numeric_limits<double>::infinity();
-
-using Make = std::function<fs::path(const fs::path&)>;
-
-Make file(const char* name, const std::string& bytes) {
-  return [=](const fs::path& folder) {
-    writeFile(folder / name, bytes);
-    return folder / name;
-  };
-}
-
-std::string counting(int count) {
-  std::vector<std::int16_t> values;
-  for (int i = 0; i < count; ++i) values.push_back(static_cast<std::int16_t>(i));
-  return bytesOf(values);
-}
-
-/// 2 x 3 x 4 voxels with an sform of its own where `spec` has none.
-Make nifti(NiftiSpec spec, const std::string& voxels = counting(24)) {
-  if (spec.sform == 0 && spec.qform == 0) {
-    spec.sform = 1;
-    spec.srow = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0};
-  }
-  return file("a.nii", niftiHeader(spec) + voxels);
-}
-Make niftiPlain(NiftiSpec spec) { return file("a.nii", niftiHeader(spec) + counting(24)); }
-Make niftiSform(const std::vector<double>& rows) { return nifti({.sform = 1, .srow = rows}); }
-
-using Fields = std::map<std::string, std::string>;
-
-/// 2 x 3 x 4 voxels; `fields` replace the header's, and those with the value "-" are left out.
-std::string nrrdBytes(const Fields& fields, const std::string& voxels = counting(24)) {
-  Fields all{{"type", "short"},
-             {"dimension", "3"},
-             {"space", "left-posterior-superior"},
-             {"sizes", "2 3 4"},
-             {"space directions", "(1,0,0) (0,1,0) (0,0,1)"},
-             {"space origin", "(0,0,0)"},
-             {"endian", "little"},
-             {"encoding", "raw"}};
-  for (const auto& [name, value] : fields) all[name] = value;
-  std::string header = "NRRD0004\n";
-  // A data file's list ends the header.
-  for (const auto& [name, value] : all)
-    if (value != "-" && name != "data file") header += name + ": " + value + "\n";
-  if (all.contains("data file")) return header + "data file: " + all["data file"] + "\n";
-  return header + "\n" + voxels;
-}
-Make nrrd(const Fields& fields, const std::string& voxels = counting(24)) {
-  return file("a.nrrd", nrrdBytes(fields, voxels));
-}
-Make unplacedNrrd(Fields fields) {
-  fields.insert({{"space", "-"}, {"space directions", "-"}, {"space origin", "-"}});
-  return nrrd(fields);
-}
-
-Make metaImage(const Fields& fields, const std::string& voxels = counting(24)) {
-  Fields all{{"NDims", "3"},
-             {"DimSize", "2 3 4"},
-             {"ElementSpacing", "1 1 1"},
-             {"Offset", "0 0 0"},
-             {"ElementType", "MET_SHORT"},
-             {"BinaryData", "True"},
-             {"ElementDataFile", "LOCAL"}};
-  for (const auto& [name, value] : fields) all[name] = value;
-  std::string header;
-  for (const auto& [name, value] : all)
-    if (value != "-" && name != "ElementDataFile") header += name + " = " + value + "\n";
-  return file("a.mha", header + "ElementDataFile = " + all["ElementDataFile"] + "\n" + voxels);
-}
-
-/// A header in a folder of its own, and voxels beside that folder.
-Make outside(const char* name, const std::string& header) {
-  return [=](const fs::path& folder) {
-    fs::create_directories(folder / "inner");
-    writeFile(folder / "voxels.raw", counting(24));
-    writeFile(folder / "inner" / name, header);
-    return folder / "inner" / name;
-  };
-}
-std::string metaHeader(const std::string& dataFile) {
-  return "NDims = 3\nDimSize = 2 3 4\nElementSpacing = 1 1 1\nElementType = MET_SHORT\nElementDataFile = " + dataFile +
-         "\n";
-}
 
 std::vector<Defect> niftiDefects() {
   const Expected ignoredSform = warning("its sform is not three independent axes");
@@ -133,7 +50,8 @@ std::vector<Defect> niftiDefects() {
       {"nifti of zero columns", nifti({.dims = {0, 3, 4}}), error("its header says 0 x 3 x 4 voxels")},
       {"nifti of negative rows", nifti({.dims = {2, -3, 4}}), error("its header says 2 x -3 x 4 voxels")},
       {"nifti of vectors", nifti({.dims = {2, 3, 4, 1, 3}}), error("holds vectors of 3 components")},
-      {"nifti of no time points", nifti({.dims = {2, 3, 4, 0}}), error("a dimension of no length")},
+      {"nifti of a negative number of time points", nifti({.dims = {2, 3, 4, -1}}), error("a dimension of no length")},
+      {"nifti of no time points but vectors", nifti({.dims = {2, 3, 4, 0, 3}}), error("a dimension of no length")},
       {"nifti of 20000 a side", nifti({.dims = {20000, 20000, 20000}}), error("larger than this machine's memory")},
       {"nifti cut", nifti({}, counting(10)), error("holds 20 bytes of voxels where its header describes 48")},
       {"nifti without its voxels", nifti({.pair = true}), error("a .hdr file needs the .img file beside it")},
@@ -218,13 +136,13 @@ std::vector<Defect> nrrdDefects() {
       {"nrrd of words", nrrd({{"encoding", "ascii"}}, std::string(200, 'w')), error("where a number of its type")},
       {"nrrd of too few numbers", nrrd({{"encoding", "ascii"}}, "1 2 3 4"),
        error("holds 7 characters of voxels where its header describes 24 numbers")},
-      {"nrrd of vectors",
+      {"nrrd of colours",
        nrrd({{"dimension", "4"},
              {"sizes", "3 2 3 4"},
-             {"kinds", "vector domain domain domain"},
+             {"kinds", "RGB-color domain domain domain"},
              {"space directions", "none (1,0,0) (0,1,0) (0,0,1)"}},
             counting(72)),
-       error("holds 3 values at each voxel (vector)")},
+       error("holds 3 values at each voxel (rgb-color)")},
       {"nrrd with a line that is no field", file("a.nrrd", "NRRD0004\nnonsense\n\n"), error("a line that is no field")},
       {"nrrd of a missing file", nrrd({{"data file", "absent.raw"}}), error("cannot be opened")},
       {"nrrd of a file outside", outside("a.nhdr", nrrdBytes({{"data file", "../voxels.raw"}})),

@@ -110,6 +110,13 @@ std::vector<Defect> segmentationDefects() {
           "frames of 65535 rows and columns", [](SegSpec& s) { s.rows = s.columns = 65535; },
           error("where its header describes")),
       segmentation(
+          "frames padded to bytes",
+          [](SegSpec& s) {
+            s.frames[4].pixels = pixels({3, 14});
+            s.padsFrames = true;
+          },
+          warning("frames of 15 bits begins on a byte of its own")),
+      segmentation(
           "overlapping segments",
           [](SegSpec& s) {
             s.frames[0].pixels = pixels({1, 14});
@@ -125,22 +132,46 @@ std::vector<Defect> segmentationDefects() {
 }
 
 std::vector<Defect> structureSetDefects() {
+  // One contour of structure "a"; structure "b" stays.
+  const auto leftOut = [](const std::string& fault) {
+    return warning("1 contour left out, which cannot be read: a contour of a has " +
+                   (fault.starts_with("coordinate") ? "the " + fault : fault));
+  };
   return {
       structures(
           "whole", [](RtSpec&) {}, opens),
-      coordinates("coordinate NaN", "0\\0\\nan", error("coordinate \"nan\"")),
-      coordinates("infinite coordinate", "0\\inf\\0", error("coordinate \"inf\"")),
-      coordinates("coordinate 1e300", "1e300\\0\\0", error("coordinate \"1e300\"")),
-      coordinates("coordinate of letters", "1\\x\\0", error("coordinate \"x\"")),
-      coordinates("four coordinates", "1\\2\\3\\4", error("4 coordinates")),
+      coordinates("coordinate NaN", "0\\0\\nan", leftOut("coordinate \"nan\"")),
+      coordinates("infinite coordinate", "0\\inf\\0", leftOut("coordinate \"inf\"")),
+      coordinates("coordinate 1e300", "1e300\\0\\0", leftOut("coordinate \"1e300\"")),
+      coordinates("coordinate of letters", "1\\x\\0", leftOut("coordinate \"x\"")),
+      coordinates("four coordinates", "1\\2\\3\\4", leftOut("4 coordinates")),
       structures(
           "more points than stored", [](RtSpec& s) { s.rois[0].contours[0].count = 2000000000; },
-          error("4 points but says 2000000000")),
+          leftOut("4 points but says 2000000000")),
       structures(
           "two structures of one number", [](RtSpec& s) { s.rois[1].number = 1; }, error("have the number 1")),
       structures(
           "contours of no structure", [](RtSpec& s) { s.contoursOf = 9; },
-          error("structure 9, which it does not describe")),
+          error("structure 9, which it does not describe, and no others")),
+      structures(
+          "contours of one structure too many",
+          [](RtSpec& s) {
+            s.rois.push_back({12, "c", "", {{rectangle(0, 0, 2, 2, 1), "CLOSED_PLANAR", {}, {}}}, false});
+          },
+          warning("1 contour left out: of structure 12, which it does not describe")),
+      structures(
+          "fewer points than stored", [](RtSpec& s) { s.rois[1].contours[0].count = 3; },
+          warning("a contour of b has 4 points but says 3")),
+      structures(
+          "coordinates with decimal commas", [](RtSpec& s) { s.rois[0].contours[0].data = "0,5\\0\\0"; },
+          leftOut("coordinate \"0,5\"")),
+      structures(
+          "no contour that can be read",
+          [](RtSpec& s) {
+            s.rois.pop_back();
+            s.rois[0].contours[0].count = 7;
+          },
+          error("a contour of a has 4 points but says 7")),
       structures(
           "open contour", [](RtSpec& s) { s.rois[0].contours[0].type = "OPEN_PLANAR"; },
           warning("points or open lines")),

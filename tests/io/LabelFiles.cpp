@@ -14,7 +14,8 @@ namespace {
 std::vector<Uint8> pixelBytes(const SegSpec& spec) {
   std::vector<Uint8> bytes;
   std::size_t bit = 0;
-  for (const SegFrameSpec& frame : spec.frames)
+  for (const SegFrameSpec& frame : spec.frames) {
+    if (spec.padsFrames) bit = 8 * bytes.size();
     for (const int value : frame.pixels) {
       if (spec.bits == 1) {
         if (bit % 8 == 0) bytes.push_back(0);
@@ -25,6 +26,7 @@ std::vector<Uint8> pixelBytes(const SegSpec& spec) {
         if (spec.bits == 16) bytes.push_back(static_cast<Uint8>(value >> 8));
       }
     }
+  }
   if (spec.pixelBytes) bytes.resize(*spec.pixelBytes);
   if (bytes.size() % 2) bytes.push_back(0);
   return bytes;
@@ -119,9 +121,11 @@ void writeRtStruct(const std::filesystem::path& path, const RtSpec& spec) {
       spec.series);
   for (std::size_t i = 0; i < spec.rois.size(); ++i) {
     const RoiSpec& roi = spec.rois[i];
-    DcmItem& described = itemOf(dataset, DCM_StructureSetROISequence, static_cast<long>(i));
-    put(described, DCM_ROINumber, std::to_string(roi.number));
-    put(described, DCM_ROIName, roi.name);
+    if (roi.described) {
+      DcmItem& described = itemOf(dataset, DCM_StructureSetROISequence, static_cast<long>(i));
+      put(described, DCM_ROINumber, std::to_string(roi.number));
+      put(described, DCM_ROIName, roi.name);
+    }
     DcmItem& item = itemOf(dataset, DCM_ROIContourSequence, static_cast<long>(i));
     put(item, DCM_ReferencedROINumber, std::to_string(spec.contoursOf.value_or(roi.number)));
     if (!roi.colour.empty()) put(item, DCM_ROIDisplayColor, roi.colour);

@@ -28,7 +28,8 @@ struct SegSpec {
   std::string sopClass = "1.2.840.10008.5.1.4.1.1.66.4";
   int columns = 5, rows = 3;
   int bits = 1;
-  int greatest = 255;  ///< Maximum Fractional Value
+  bool padsFrames = false;  ///< each frame of bits begins on a byte of its own
+  int greatest = 255;       ///< Maximum Fractional Value
   glm::dvec3 row{1, 0, 0}, column{0, 1, 0};
   std::string pixelSpacing = "1\\1";
   std::string spacingBetweenSlices = "1";
@@ -53,6 +54,7 @@ struct RoiSpec {
   std::string name;
   std::string colour;  ///< "r\\g\\b"
   std::vector<ContourSpec> contours;
+  bool described = true;  ///< among the structures, which come first
 };
 struct RtSpec {
   std::vector<RoiSpec> rois;

@@ -5,6 +5,7 @@
 #include "io/VolumeReader.h"
 #include "tests/io/IoTesting.h"
 #include "tests/io/LabelFiles.h"
+#include "tests/io/NiftiBytes.h"
 #include "tests/support/TestData.h"
 
 namespace fenestra::tests {
@@ -72,6 +73,23 @@ TEST(Labels, WholeFloatsAreLabelsOthersAreNot) {
     writeFile(path, metaImage("", "2 1 1", "MET_FLOAT", bytesOf(std::vector<float>{1.0f, bad})));
     EXPECT_NE(errorOf([&] { io::openLabels(path, gridOf({2, 1, 1})); }).find("no label map"), std::string::npos) << bad;
   }
+}
+
+TEST(Labels, MasksThatSpmScalesAreWhole) {
+  const fs::path path = scratchFolder() / "mask.nii";
+  const auto write = [&](float slope, const std::vector<std::uint8_t>& voxels) {
+    NiftiSpec spec{.dims = {3, 1, 1}, .datatype = 2, .slope = slope, .sform = 1};
+    spec.srow = {-1, 0, 0, 0, 0, -1, 0, 0, 0, 0, 1, 0};
+    writeFile(path, niftiHeader(spec) + bytesOf(voxels));
+  };
+  write(1.0f / 255.0f, {0, 255, 255});
+  EXPECT_EQ(valuesOf(*io::openLabels(path, gridOf({3, 1, 1})).labels), (std::vector<int>{0, 1, 1}));
+  // A probability is no label.
+  write(1.0f / 255.0f, {0, 128, 255});
+  EXPECT_NE(errorOf([&] { io::openLabels(path, gridOf({3, 1, 1})); }).find("holds the value 0.50"), std::string::npos);
+  // Six digits of a text header.
+  writeFile(path, metaImage("ElementToIntensityFunctionSlope = 0.00392157\n", "2 1 1", "MET_UCHAR", "\xFF\xFF"));
+  EXPECT_EQ(valuesOf(*io::openLabels(path, gridOf({2, 1, 1})).labels), (std::vector<int>{1, 1}));
 }
 
 TEST(Labels, FlippedAndPermutedLatticesMatchExactly) {

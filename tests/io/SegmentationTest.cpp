@@ -53,6 +53,44 @@ std::string errorOfLabels(const fs::path& path, const Grid& target = fiveByThree
 
 }  // namespace
 
+TEST(Segmentation, FramesThatBeginOnBytesOfTheirOwnAreReadAndSaid) {
+  const fs::path path = scratchFolder() / "seg.dcm";
+  // 3 x 3 pixels: 9 frames take 11 bytes packed and 18 padded.
+  SegSpec spec;
+  spec.columns = spec.rows = 3;
+  std::vector<int> truth;
+  for (int z = 0; z < 9; ++z) {
+    std::vector<int> frame(9, 0);
+    frame[static_cast<std::size_t>(z)] = frame[8] = 1;
+    truth.insert(truth.end(), frame.begin(), frame.end());
+    spec.frames.push_back({1, glm::dvec3(0, 0, z), frame});
+  }
+  for (const bool pads : {false, true}) {
+    spec.padsFrames = pads;
+    writeSeg(path, spec);
+    const io::OpenedLabels opened = io::openLabels(path, gridOf({3, 3, 9}));
+    EXPECT_EQ(valuesOf(*opened.labels), truth) << pads;
+    EXPECT_EQ(opened.warnings.size(), pads ? 1u : 0u) << kindsOf(opened.warnings);
+    if (pads) {
+      EXPECT_NE(opened.warnings.front().text.find("frames of 9 bits begins on a byte of its own"), std::string::npos);
+    }
+  }
+}
+
+TEST(Segmentation, WhereALengthFitsPackedAndPaddedFramesTheBitsBehindTheLastTell) {
+  const fs::path path = scratchFolder() / "seg.dcm";
+  // Five frames of 15 bits take ten bytes either way; the last frame's last pixel is bit 78 when padded.
+  SegSpec spec = twoSegments();
+  spec.frames.back().pixels = pixels({3, 14});
+  std::vector<int> truth = twoSegmentsTruth();
+  truth[14] = 1;
+  for (const bool pads : {false, true}) {
+    spec.padsFrames = pads;
+    writeSeg(path, spec);
+    EXPECT_EQ(valuesOf(*io::openLabels(path, fiveByThree).labels), truth) << pads;
+  }
+}
+
 TEST(Segmentation, BitsOfOddFramesInAnyOrderInEverySyntax) {
   const fs::path path = scratchFolder() / "seg.dcm";
   for (const char* syntax : {"explicit", "implicit", "big", "deflated"}) {

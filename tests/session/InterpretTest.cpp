@@ -1,5 +1,7 @@
 // What a set of paths means.
 
+#include <fstream>
+
 #include <gtest/gtest.h>
 
 #include "io/base/Error.h"
@@ -38,6 +40,21 @@ TEST(Interpret, AFolderIsTheVolumeAndAFileBesideItItsLabels) {
     EXPECT_EQ(io::interpret(order).path, series);
     EXPECT_EQ(io::interpret(order).labels, labels);
   }
+}
+
+TEST(Interpret, AFolderOfMasksIsTheLabels) {
+  const std::filesystem::path root = scratchFolder(), masks = root / "segmentations", volume = root / "ct.nii.gz",
+                              series = root / "series";
+  for (const auto& folder : {masks, series}) std::filesystem::create_directories(folder);
+  EXPECT_EQ(io::interpret({masks, volume}).path, masks) << "it holds nothing";
+  EXPECT_FALSE(io::mayBeLabels(masks));
+  std::ofstream(masks / "liver.nii.gz") << "x";
+  EXPECT_TRUE(io::mayBeLabels(masks));
+  for (const std::filesystem::path& data : {volume, series})
+    for (const auto& order : {std::vector{masks, data}, std::vector{data, masks}}) {
+      EXPECT_EQ(io::interpret(order).path, data);
+      EXPECT_EQ(io::interpret(order).labels, masks);
+    }
 }
 
 TEST(Interpret, SeveralFoldersAreOpenedTogetherWhereNothingElseLiesBesideThem) {

@@ -1,6 +1,7 @@
 // A session's data: found in their place, where they moved to, or not; changed data gives a warning; and the file holds
 // nothing of the patient.
 
+#include <algorithm>
 #include <chrono>
 
 #include <gtest/gtest.h>
@@ -90,6 +91,48 @@ class OpenSession : public testing::Test {
 
   fs::path top_, project_;
 };
+
+TEST_F(OpenSession, AChosenTableOfNamesIsKeptAndItsLossIsSaid) {
+  const fs::path file = project_ / "a.fenestra", table = project_ / "names.ctbl";
+  writeFile(table, "1 liver 10 20 30 255\n");
+  io::DataRequest request;
+  request.path = project_ / "study";
+  request.labels = project_ / "labels.nii.gz";
+  request.labelTable = table;
+  io::Study study = io::openData(request);
+  EXPECT_EQ(study.scene.labels->find(1)->name, "liver");
+  EXPECT_EQ(study.session.labels.table, fs::absolute(table));
+  io::noteContents(study.session);
+  io::writeSession(file, study.session);
+  EXPECT_EQ(openSession(file).scene.labels->find(1)->name, "liver");
+  // A label map that is named anew is shown with the session's table, too.
+  EXPECT_EQ(openSession(file, {}, project_ / "labels.nii.gz").scene.labels->find(1)->colour,
+            glm::dvec3(10, 20, 30) / 255.0);
+  fs::remove(table);
+  const io::Study without = openSession(file);
+  EXPECT_EQ(without.scene.labels->find(1)->name, "label 1");
+  EXPECT_NE(warningOf(without.warnings, Kind::ChangedData).text.find("names.ctbl"), std::string::npos);
+}
+
+TEST_F(OpenSession, AFolderOfMasksIsFoundAgain) {
+  const fs::path masks = project_ / "segmentations";
+  fs::create_directories(masks);
+  for (const char* name : {"liver.nii.gz", "spleen.nii.gz"})
+    fs::copy_file(project_ / "labels.nii.gz", masks / name, fs::copy_options::overwrite_existing);
+  // The label map holds two labels; masks hold one.
+  Volume mask;
+  mask.grid.dims = {4, 3, 5};
+  mask.voxels = Voxels(ScalarType::UInt8, mask.grid.voxelCount());
+  std::ranges::fill(mask.voxels.as<std::uint8_t>(), std::uint8_t{0});
+  mask.voxels.as<std::uint8_t>()[7] = 1;
+  io::writeVolume(mask, masks / "liver.nii.gz");
+  const fs::path file = save(project_ / "a.fenestra", project_ / "study", masks);
+  const io::Study opened = openSession(file);
+  EXPECT_EQ(opened.scene.labels->find(1)->name, "liver");
+  EXPECT_EQ(opened.session.labels.contents.files, 2u);
+  io::writeVolume(mask, masks / "spleen.nii.gz");
+  EXPECT_TRUE(hasWarning(openSession(file).warnings, Kind::ChangedData));
+}
 
 TEST_F(OpenSession, LabelsMayBeADicomSegmentation) {
   SegSpec spec;

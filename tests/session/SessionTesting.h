@@ -54,10 +54,12 @@ inline io::Session fullSession(const std::filesystem::path& folder) {
   session.volume.time = 3;
   session.volume.raw =
       io::RawDescription{{3, 4, 5}, ScalarType::Int32, true, std::size_t{1} << 40, {0.1, 0.2, 0.30000000000000004}};
+  session.volume.spacing = glm::dvec3(0.01, 0.02, 1.0 / 3.0);
   session.volume.regularise = io::Regularise::Cubic;
   session.volume.modality = Modality::CT;
   session.labels.path = folder / "labels.nii.gz";
   session.labels.contents = contents;
+  session.labels.table = folder / "names.ctbl";
   session.look.focus = ValueFocus{{-1000.5, 3071.0}, 12.5};
   session.look.labels = {
       {2, LabelRole::Hidden, false, 1.0 / 3.0, glm::dvec3(0.1, 0.0, 1.0), {}, 3},

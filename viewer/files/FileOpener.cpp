@@ -73,8 +73,7 @@ void FileOpener::openSeries(const std::string& series) {
 }
 
 void FileOpener::drop(const std::vector<std::filesystem::path>& paths, QPoint at) {
-  if (!document_.hasVolume() || paths.size() > 1 || io::isSession(paths.front()) ||
-      QFileInfo(toQString(paths.front())).isDir()) {
+  if (!document_.hasVolume() || paths.size() > 1 || io::isSession(paths.front()) || !io::mayBeLabels(paths.front())) {
     open(paths);
     return;
   }

@@ -73,7 +73,7 @@ void Document::noteContents(const io::Session& session) {
   if (session.labels.files == study_.session.labels.files) study_.session.labels.contents = session.labels.contents;
 }
 
-void Document::setLabels(std::shared_ptr<const LabelMap> labels, io::SessionData from) {
+void Document::setLabels(std::shared_ptr<const LabelMap> labels, io::SessionLabels from) {
   study_.scene.labels = std::move(labels);
   study_.session.labels = std::move(from);
   labelsRevision_ = filedRevision_ = ++lastRevision_;
@@ -110,7 +110,7 @@ void Document::editLabels(const QString& name, segmentation::LabelEdit edit, std
   history_.push(name, std::move(change));
 }
 
-void Document::noteLabelsFile(std::uint64_t revision, const io::SessionData& file) {
+void Document::noteLabelsFile(std::uint64_t revision, const io::SessionLabels& file) {
   filedRevision_ = revision;
   study_.session.labels = file;
 }

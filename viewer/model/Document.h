@@ -28,7 +28,7 @@ class Document : public QObject {
   void open(io::Study study);
   /// Sets a label map on the volume's grid, or none. Clears the old labels' settings, a focus made of them, and the
   /// history.
-  void setLabels(std::shared_ptr<const LabelMap> labels, io::SessionData from = {});
+  void setLabels(std::shared_ptr<const LabelMap> labels, io::SessionLabels from = {});
   /// Changes the labels, with another focus, as one step. `after` is what `edit` makes of labels().
   void editLabels(const QString& name, segmentation::LabelEdit edit, std::shared_ptr<const LabelMap> after,
                   Focus focus);
@@ -37,7 +37,7 @@ class Document : public QObject {
   /// Whether study().session names a file that holds the labels as they are; true without labels.
   bool labelsAreInFile() const { return !labels() || labelsRevision_ == filedRevision_; }
   /// Notes that the labels of that revision are in a file, or in none where `file` is empty.
-  void noteLabelsFile(std::uint64_t revision, const io::SessionData& file);
+  void noteLabelsFile(std::uint64_t revision, const io::SessionLabels& file);
   /// Takes over the hashes of the data's contents, where `session` is of the same data.
   void noteContents(const io::Session& session);
 
