@@ -14,6 +14,7 @@
 #include "rendering/settings/LookStyle.h"
 #include "viewer/bars/NoticeBar.h"
 #include "viewer/dialogs/SeriesChooser.h"
+#include "viewer/dialogs/SpacingDialog.h"
 #include "viewer/files/Sessions.h"
 #include "viewer/model/Paths.h"
 #include "viewer/model/Workspace.h"
@@ -27,6 +28,7 @@ QString volumePatterns() {
   QStringList patterns;
   for (const std::string_view ending : io::volumeEndings)
     patterns << QStringLiteral("*") + QLatin1String(ending.data(), static_cast<qsizetype>(ending.size()));
+  patterns << QStringLiteral("*.tif") << QStringLiteral("*.tiff");
   return patterns.join(QLatin1Char(' '));
 }
 
@@ -58,7 +60,7 @@ void FileOpener::open(const std::vector<std::filesystem::path>& paths) {
     return;
   }
   try {
-    loader_.open(readerOf(io::interpret(paths)));
+    load(io::interpret(paths));
   } catch (const io::Error& error) {
     notices_.add(NoticeBar::Kind::Error, QString::fromUtf8(error.what()));
   }
@@ -69,7 +71,20 @@ void FileOpener::openSeries(const std::string& series) {
   io::DataRequest chosen;
   chosen.path = document_.study().session.volume.path;
   chosen.series = series;
-  loader_.open(readerOf(chosen));
+  chosen.spacing = document_.study().session.volume.spacing;
+  load(chosen);
+}
+
+void FileOpener::load(const io::DataRequest& data) {
+  loader_.open(readerOf(data), {}, [this, data](const io::SpacingMissing& missing) {
+    SpacingDialog ask(
+        tr("%1 %2. Say it here:").arg(toQString(missing.file().filename()), QString::fromStdString(missing.cause())),
+        &window_);
+    if (ask.exec() != QDialog::Accepted) return;
+    io::DataRequest sized = data;
+    sized.spacing = ask.spacing();
+    load(sized);
+  });
 }
 
 void FileOpener::drop(const std::vector<std::filesystem::path>& paths, QPoint at) {

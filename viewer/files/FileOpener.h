@@ -45,6 +45,8 @@ class FileOpener : public QObject {
 
  private:
   void openSeries(const std::string& series);
+  /// Reads data and shows them; asks for the size of voxels where the file does not say it.
+  void load(const io::DataRequest& data);
   /// Reads data, with the look of the open study and the user's own defaults.
   StudyLoader::Reader readerOf(const io::DataRequest& data) const;
 

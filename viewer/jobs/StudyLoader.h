@@ -23,13 +23,17 @@ class StudyLoader : public QObject {
   /// Called on the GUI thread when the reader does not find a session's data.
   using Missing = std::function<void(const io::DataMissing&)>;
 
+  /// Called on the GUI thread when the file does not say how large its voxels are.
+  using Unsized = std::function<void(const io::SpacingMissing&)>;
+
   /// Completes a study that was read, on the reading thread.
   using Prepare = std::function<void(io::Study&)>;
 
   explicit StudyLoader(Document& document, Prepare prepare = {}, QObject* parent = nullptr);
 
-  /// The document keeps its study until the new one is read. Without `missing`, missing data is a failure.
-  void open(Reader read, Missing missing = {});
+  /// The document keeps its study until the new one is read. Without `missing`, missing data is a failure, and so is a
+  /// missing size of voxels without `unsized`.
+  void open(Reader read, Missing missing = {}, Unsized unsized = {});
   /// Asked before the document's labels are replaced by a file's.
   void setMayReplaceLabels(std::function<bool()> ask) { mayReplaceLabels_ = std::move(ask); }
   /// A label map for the document's volume.
