@@ -41,7 +41,7 @@ std::string testNameOf(const Defect& defect) {
 
 std::vector<Defect> allDefects() {
   std::vector<Defect> all;
-  for (const auto& part : {dicomDefects(), fileDefects(), labelDefects()})
+  for (const auto& part : {dicomDefects(), dicomKindDefects(), fileDefects(), labelDefects()})
     all.insert(all.end(), part.begin(), part.end());
   return all;
 }

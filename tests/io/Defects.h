@@ -1,6 +1,7 @@
 #pragma once
 // A table of damaged, incomplete and contradictory files: how each is made, and the error or warning that it must give.
-// A row is added in DicomDefects.cpp, FileDefects.cpp or LabelDefects.cpp.
+// A row is added in DicomDefects.cpp (damage), DicomKindDefects.cpp (what writers do differently), FileDefects.cpp or
+// LabelDefects.cpp.
 
 #include <filesystem>
 #include <functional>
@@ -48,6 +49,7 @@ std::ostream& operator<<(std::ostream& stream, const Defect& defect);
 std::string testNameOf(const Defect& defect);
 
 std::vector<Defect> dicomDefects();
+std::vector<Defect> dicomKindDefects();
 std::vector<Defect> fileDefects();
 std::vector<Defect> labelDefects();
 /// All of the above.
