@@ -93,6 +93,7 @@ const char* nameOf(SlicePlane plane) {
 Json describe(const io::SeriesInfo& series, bool descriptions) {
   Json json{
       {"id", series.id}, {"modality", series.modality}, {"dims", list(series.dims)}, {"files", series.files.size()}};
+  if (!series.part.empty()) json["part"] = series.part;
   if (descriptions) json["description"] = series.description;
   return json;
 }

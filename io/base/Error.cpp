@@ -1,13 +1,26 @@
 #include "io/base/Error.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace fenestra::io {
+namespace {
+
+/// Without NULs, where printed text would end, and with blanks for other control characters: parts of a text come from
+/// files.
+std::string oneLine(std::string text) {
+  std::erase(text, '\0');
+  std::replace_if(
+      text.begin(), text.end(), [](char c) { return static_cast<unsigned char>(c) < 0x20; }, ' ');
+  return text;
+}
+
+}  // namespace
 
 Error::Error(std::filesystem::path file, std::string cause, std::string hint)
-    : std::runtime_error(file.string() + ": " + cause + (hint.empty() ? "" : "; " + hint)),
+    : std::runtime_error(file.string() + ": " + oneLine(cause) + (hint.empty() ? "" : "; " + oneLine(hint))),
       file_(std::move(file)),
-      cause_(std::move(cause)),
-      hint_(std::move(hint)) {}
+      cause_(oneLine(std::move(cause))),
+      hint_(oneLine(std::move(hint))) {}
 
 }  // namespace fenestra::io

@@ -11,8 +11,10 @@
 
 namespace fenestra::io {
 
+/// What a field of text holds: up to its first NUL, without blanks around it. Writers pad fields with either.
 inline std::string trimmed(std::string_view text) {
   constexpr std::string_view blanks = " \t\r\n";
+  text = text.substr(0, text.find('\0'));
   const std::size_t first = text.find_first_not_of(blanks);
   if (first == std::string_view::npos) return {};
   return std::string(text.substr(first, text.find_last_not_of(blanks) - first + 1));

@@ -65,23 +65,6 @@ void refuseHostileHeader(const fs::path& path) {
   }
 }
 
-/// Pixel Spacing, else that of the detector, else 1 mm.
-void readSpacing(DcmItem* measures, DicomFrame& frame) {
-  const auto positive = [](const std::optional<glm::dvec2>& spacing) {
-    return spacing && spacing->x > 0.0 && spacing->y > 0.0;
-  };
-  // Both are (between rows, between columns).
-  for (const DcmTagKey& tag : {DCM_PixelSpacing, DCM_ImagerPixelSpacing}) {
-    const auto spacing = measures ? numbersOf<2>(*measures, tag) : std::nullopt;
-    if (!positive(spacing)) continue;
-    frame.spacing = {spacing->y, spacing->x};
-    if (tag == DCM_ImagerPixelSpacing) frame.assumed |= assumed::detectorSpacing;
-    return;
-  }
-  const bool given = measures && !textOf(*measures, DCM_PixelSpacing).empty();
-  frame.assumed |= given ? assumed::garbledSpacing : assumed::spacing;
-}
-
 }  // namespace
 
 void loadHeader(const fs::path& path, DcmFileFormat& file) {
@@ -103,7 +86,8 @@ std::int64_t countFrames(DcmItem& dataset, const DicomFile& file) {
   const auto given = integerOf(dataset, DCM_NumberOfFrames);
   if (!given && !textOf(dataset, DCM_NumberOfFrames).empty())
     throw Error(file.path, "its header gives no number of frames", "the file is damaged");
-  const std::int64_t frames = given.value_or(1);
+  // Some writers count no frames where there is one.
+  const std::int64_t frames = given.value_or(1) == 0 ? 1 : given.value_or(1);
   // The fewest bytes that a frame can take: its pixels, of which deflate packs at most 1032 into one byte, or the
   // header of its fragment.
   std::error_code failure;
@@ -111,7 +95,9 @@ std::int64_t countFrames(DcmItem& dataset, const DicomFile& file) {
   const std::uint64_t frameBits = static_cast<std::uint64_t>(file.format.rows) *
                                   static_cast<std::uint64_t>(file.format.columns) *
                                   static_cast<std::uint64_t>(file.format.bitsAllocated);
-  const std::uint64_t leastBits = file.pixels.encapsulated ? 64 : file.pixels.deflated ? frameBits / 1032 : frameBits;
+  const std::uint64_t leastBits = file.pixels.encapsulated || file.pixels.isPrivate ? 64
+                                  : file.pixels.deflated                            ? frameBits / 1032
+                                                                                    : frameBits;
   const auto refuse = [&](std::uint64_t bytes, const char* what) {
     throw Error(file.path,
                 "holds " + std::to_string(bytes) + " bytes" + what + " where its header describes " +
@@ -124,7 +110,7 @@ std::int64_t countFrames(DcmItem& dataset, const DicomFile& file) {
   // Frames of one bit a pixel follow each other without padding.
   const std::uint64_t bits = saturatingProduct(static_cast<std::uint64_t>(frames), frameBits);
   const std::uint64_t needed = bits / 8 + (bits % 8 != 0);
-  if (file.pixels.encapsulated) return frames;
+  if (file.pixels.encapsulated || file.pixels.isPrivate) return frames;
   if (file.pixels.length < needed) refuse(file.pixels.length, " of pixels");
   if (!file.pixels.deflated && file.pixels.offset + needed > fileBytes)
     refuse(fileBytes - std::min(fileBytes, file.pixels.offset), " of pixels");
@@ -135,31 +121,6 @@ DcmItem* Scopes::group(const DcmTagKey& sequence) const {
   if (DcmItem* own = firstItem(perFrame, sequence)) return own;
   if (DcmItem* common = firstItem(shared, sequence)) return common;
   return perFrame || shared ? nullptr : &dataset;
-}
-
-void readGeometry(const Scopes& scopes, DicomFrame& frame) {
-  DcmItem* measures = scopes.group(DCM_PixelMeasuresSequence);
-  readSpacing(measures, frame);
-  if (measures) {
-    frame.thickness = std::max(0.0, numberOf(*measures, DCM_SliceThickness).value_or(0.0));
-    if (frame.thickness == 0.0) frame.thickness = std::abs(numberOf(*measures, DCM_SpacingBetweenSlices).value_or(0.0));
-  }
-  DcmItem* place = scopes.group(DCM_PlanePositionSequence);
-  DcmItem* plane = scopes.group(DCM_PlaneOrientationSequence);
-  if (!place || !plane) return;
-  const auto position = numbersOf<3>(*place, DCM_ImagePositionPatient);
-  glm::dvec3 row(0.0), column(0.0);
-  for (unsigned i = 0; i < 3; ++i) {
-    row[static_cast<int>(i)] = numberOf(*plane, DCM_ImageOrientationPatient, i).value_or(0.0);
-    column[static_cast<int>(i)] = numberOf(*plane, DCM_ImageOrientationPatient, i + 3).value_or(0.0);
-  }
-  // Direction cosines are unit vectors at right angles; a damaged pair cannot place the image.
-  const bool usable = std::abs(glm::length(row) - 1.0) < 0.1 && std::abs(glm::length(column) - 1.0) < 0.1 &&
-                      std::abs(glm::dot(row, column)) < 0.1;
-  if (!position || !usable) return;
-  frame.hasGeometry = true;
-  frame.position = *position;
-  frame.axes = glm::dmat2x3(glm::normalize(row), glm::normalize(column));
 }
 
 }  // namespace fenestra::io

@@ -28,7 +28,4 @@ struct Scopes {
   DcmItem* group(const DcmTagKey& sequence) const;
 };
 
-/// Position, axes, spacing and thickness of a frame, as far as its groups say.
-void readGeometry(const Scopes& scopes, DicomFrame& frame);
-
 }  // namespace fenestra::io

@@ -1,7 +1,6 @@
 #include "io/dicom/DicomCodecs.h"
 
 #include <algorithm>
-#include <bit>
 #include <cstring>
 #include <memory>
 #include <mutex>
@@ -19,7 +18,10 @@
 #include <dcmtk/oflog/spi/logevent.h>
 #include <openjpeg.h>
 
+#include "io/dicom/ByteCodecs.h"
+#include "io/dicom/CodecError.h"
 #include "io/dicom/Dcmtk.h"
+#include "io/dicom/TransferSyntax.h"
 
 namespace fenestra::io {
 namespace {
@@ -144,8 +146,8 @@ std::optional<FrameHeader> jpegHeader(std::span<const std::uint8_t> bytes) {
   return std::nullopt;
 }
 
-/// Ends a codestream whose writer left out the end-of-image marker. DCMTK waits for it; what is missing before it, the
-/// decoder notices itself.
+/// Ends a codestream whose writer left out the end-of-image marker (JPEG) or the end-of-codestream marker (JPEG 2000),
+/// which are FF D9. Decoders wait for it; what is missing before it, they notice themselves.
 void endImage(std::vector<std::uint8_t>& bytes) {
   std::size_t end = bytes.size();
   while (end > 2 && bytes[end - 1] == 0) --end;
@@ -245,6 +247,7 @@ using OpjImage = std::unique_ptr<opj_image_t, OpjDelete<opj_image_destroy>>;
 void decodeJpeg2000(Codestream codestream, const PixelFormat& format, std::span<std::byte> words) {
   // A raw codestream starts with SOC and SIZ; some writers wrap it into a JP2 file, which the standard forbids.
   const bool raw = codestream.bytes.size() > 4 && codestream.bytes[0] == 0xff && codestream.bytes[1] == 0x4f;
+  if (raw) endImage(codestream.bytes);
   const OpjCodec codec(opj_create_decompress(raw ? OPJ_CODEC_J2K : OPJ_CODEC_JP2));
   const OpjStream stream(opj_stream_default_create(OPJ_TRUE));
   if (!codec || !stream) throw std::bad_alloc();
@@ -280,81 +283,26 @@ void decodeJpeg2000(Codestream codestream, const PixelFormat& format, std::span<
   storeWords(format, words, [&](std::size_t i) -> std::int64_t { return component->data[i]; });
 }
 
-std::uint64_t littleEndian32(std::span<const std::uint8_t> bytes, std::size_t at) {
-  return std::uint64_t{bytes[at]} | std::uint64_t{bytes[at + 1]} << 8 | std::uint64_t{bytes[at + 2]} << 16 |
-         std::uint64_t{bytes[at + 3]} << 24;
-}
-
-/// RLE Lossless (PS3.5 Annex G): one PackBits segment for each byte of a word, the most significant first. DCMTK's
-/// decoder is not used because it reads outside damaged segments.
-void decodeRle(std::span<const std::uint8_t> bytes, const PixelFormat& format, std::span<std::byte> words) {
-  constexpr std::size_t headerBytes = 64;
-  const std::size_t wordBytes = static_cast<std::size_t>(format.bitsAllocated / 8), count = words.size() / wordBytes;
-  if (bytes.size() < headerBytes) throw CodecError("its RLE header is cut off");
-  if (littleEndian32(bytes, 0) != wordBytes)
-    throw CodecError("it has " + std::to_string(littleEndian32(bytes, 0)) + " segments where pixels of " +
-                     std::to_string(format.bitsAllocated) + " bits have " + std::to_string(wordBytes));
-  for (std::size_t segment = 0; segment < wordBytes; ++segment) {
-    std::size_t at = littleEndian32(bytes, 4 + 4 * segment);
-    const std::size_t end = segment + 1 < wordBytes ? littleEndian32(bytes, 8 + 4 * segment) : bytes.size();
-    if (at < headerBytes || at > end || end > bytes.size()) throw CodecError("its RLE header is damaged");
-    const std::size_t place = std::endian::native == std::endian::little ? wordBytes - 1 - segment : segment;
-    std::size_t filled = 0;
-    while (filled < count && at < end) {
-      const std::size_t control = bytes[at++];
-      if (control == 128) continue;  // no operation
-      const bool literal = control < 128;
-      const std::size_t length = std::min(literal ? control + 1 : 257 - control, count - filled);
-      if (at + (literal ? length : 1) > end) break;
-      for (std::size_t i = 0; i < length; ++i)
-        words[(filled + i) * wordBytes + place] = static_cast<std::byte>(bytes[literal ? at + i : at]);
-      filled += length;
-      at += literal ? length : 1;
-    }
-    if (filled < count) throw CodecError("an RLE segment ends too early");
-    // Padding is zero; anything else means that a damaged run took the place of others.
-    const auto rest = bytes.subspan(at, end - at);
-    if (std::any_of(rest.begin(), rest.end(), [](std::uint8_t byte) { return byte != 0; }))
-      throw CodecError("an RLE segment is longer than its picture");
-  }
-}
-
 }  // namespace
 
-Compression compressionOf(int transferSyntax) {
-  const auto syntax = static_cast<E_TransferSyntax>(transferSyntax);
-  switch (syntax) {
-    case EXS_RLELossless:
-      return Compression::Rle;
-    case EXS_JPEG2000LosslessOnly:
-    case EXS_JPEG2000:
-      return Compression::Jpeg2000;
-    case EXS_JPEGLSLossless:
-    case EXS_JPEGLSLossy:
-      return Compression::JpegLs;
-    default:
-      break;
-  }
-  prepareDcmtk();
-  return DcmCodecList::canChangeCoding(syntax, EXS_LittleEndianExplicit) ? Compression::Jpeg : Compression::Unknown;
-}
-
-bool isLossless(int transferSyntax) {
-  const auto syntax = static_cast<E_TransferSyntax>(transferSyntax);
-  return syntax == EXS_RLELossless || syntax == EXS_JPEG2000LosslessOnly || syntax == EXS_JPEGLSLossless ||
-         syntax == EXS_JPEGProcess14 || syntax == EXS_JPEGProcess14SV1;
-}
-
-void decodeFrame(std::vector<std::uint8_t> codestream, int transferSyntax, const PixelFormat& format,
-                 std::span<std::byte> words) {
-  switch (compressionOf(transferSyntax)) {
+DecodedFrame decodeFrame(std::vector<std::uint8_t> codestream, const DicomFile& file, std::span<std::byte> words) {
+  const PixelFormat& format = file.format;
+  switch (compressionOf(file)) {
     case Compression::Rle:
-      return decodeRle(codestream, format, words);
+      return {decodeRle(codestream, format, words)};
     case Compression::Jpeg2000:
-      return decodeJpeg2000({std::move(codestream)}, format, words);
+      decodeJpeg2000({std::move(codestream)}, format, words);
+      return {};
     case Compression::Jpeg:
     case Compression::JpegLs:
-      return decodeJpeg(std::move(codestream), transferSyntax, format, words);
+      decodeJpeg(std::move(codestream), file.transferSyntax, format, words);
+      return {};
+    case Compression::Encapsulated:
+      decodeEncapsulated(codestream, format, words);
+      return {};
+    case Compression::Elscint:
+      decodeElscint(codestream, format, words);
+      return {};
     case Compression::Unknown:
       break;
   }

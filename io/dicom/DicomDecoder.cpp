@@ -2,13 +2,15 @@
 
 #include <algorithm>
 #include <bit>
+#include <cstdint>
 #include <cstring>
 #include <limits>
 
 #include "io/base/Error.h"
-#include "io/dicom/Dcmtk.h"
+#include "io/dicom/CodecError.h"
 #include "io/dicom/DicomCodecs.h"
 #include "io/dicom/StoredIntegers.h"
+#include "io/dicom/TransferSyntax.h"
 
 namespace fenestra::io {
 namespace {
@@ -47,13 +49,11 @@ std::size_t countOutside(std::span<const std::byte> words, const PixelFormat& fo
 }  // namespace
 
 DicomDecoder::DicomDecoder(const DicomFile& file) : file_(file), native_(file.path, file.pixels) {
-  if (file.format.frameBytes() >= std::numeric_limits<Uint32>::max())
+  if (file.format.frameBytes() >= std::numeric_limits<std::uint32_t>::max())
     throw Error(file.path, "its pixels cannot be read (frames of more than 4 GB)", "the file is damaged");
   if (!file.pixels.encapsulated) return;
-  if (compressionOf(file.transferSyntax) == Compression::Unknown)
-    throw Error(file.path,
-                std::string("its transfer syntax is not supported (") +
-                    DcmXfer(static_cast<E_TransferSyntax>(file.transferSyntax)).getXferName() + ")",
+  if (compressionOf(file) == Compression::Unknown)
+    throw Error(file.path, "its transfer syntax is not supported (" + syntaxName(file) + ")",
                 "convert it to an uncompressed or lossless JPEG, JPEG-LS, JPEG 2000 or RLE file");
   std::size_t frames = 0;
   for (const DicomFrame& frame : file.frames) frames = std::max(frames, static_cast<std::size_t>(frame.number) + 1);
@@ -68,24 +68,31 @@ void DicomDecoder::readNative(std::uint64_t frame, std::span<std::byte> words) {
   }
 }
 
+std::vector<std::uint8_t> DicomDecoder::codestream(int number) {
+  if (fragments_) return fragments_->frame(static_cast<std::size_t>(number));
+  std::vector<std::uint8_t> bytes(static_cast<std::size_t>(file_.pixels.length));
+  native_.read(0, std::as_writable_bytes(std::span(bytes)));
+  return bytes;
+}
+
 std::span<const std::byte> DicomDecoder::decode(int number) {
   // Not cleared: every byte is written.
   const std::size_t frameBytes = file_.format.frameBytes();
   if (!words_) words_ = std::make_unique_for_overwrite<std::byte[]>(frameBytes);
   const std::span<std::byte> words(words_.get(), frameBytes);
-  if (!fragments_) {
+  if (!fragments_ && !file_.pixels.isPrivate) {
     readNative(static_cast<std::uint64_t>(number), words);
     return words;
   }
   try {
-    decodeFrame(fragments_->frame(static_cast<std::size_t>(number)), file_.transferSyntax, file_.format, words);
+    bytesBehind_ = decodeFrame(codestream(number), file_, words).bytesBehind;
   } catch (const CodecError& error) {
     throw Error(file_.path,
                 "the pixels of frame " + std::to_string(number + 1) + " cannot be decoded (" + error.what() + ")",
                 "the file is truncated or damaged");
   }
   // What lossy compression changes may well lie outside the original's limits.
-  samplesOutside_ = countOutside(words, file_.format, isLossless(file_.transferSyntax) ? file_.limits : std::nullopt);
+  samplesOutside_ = countOutside(words, file_.format, isLossless(file_) ? file_.limits : std::nullopt);
   return words;
 }
 

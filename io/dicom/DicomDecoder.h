@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <vector>
 
 #include "io/dicom/DicomFile.h"
 #include "io/dicom/DicomPixels.h"
@@ -24,15 +25,19 @@ class DicomDecoder {
   /// How many samples of the last compressed frame the header rules out, by Bits Stored or by its least and greatest
   /// value.
   std::size_t samplesOutside() const { return samplesOutside_; }
+  /// How many bytes of the last frame stand behind its last RLE run and are no padding.
+  std::size_t bytesBehind() const { return bytesBehind_; }
 
  private:
+  /// The bytes of a compressed frame.
+  std::vector<std::uint8_t> codestream(int number);
   void readNative(std::uint64_t frame, std::span<std::byte> words);
 
   const DicomFile& file_;
   NativePixels native_;
   std::optional<Fragments> fragments_;
   std::unique_ptr<std::byte[]> words_;
-  std::size_t samplesOutside_ = 0;
+  std::size_t samplesOutside_ = 0, bytesBehind_ = 0;
 };
 
 }  // namespace fenestra::io

@@ -59,9 +59,14 @@ inline constexpr unsigned slope = 8;            ///< none or 0 or no number: 1
 inline constexpr unsigned intercept = 16;       ///< no number: 0
 inline constexpr unsigned doseScaling = 32;     ///< none or 0 or no number: 1
 inline constexpr unsigned lut = 64;             ///< a Modality LUT that cannot be read: ignored
-inline constexpr unsigned representation = 128;   ///< neither signed nor unsigned: unsigned
-inline constexpr unsigned photometric = 256;      ///< none: MONOCHROME2
-inline constexpr unsigned realWorldValues = 512;  ///< a mapping to physical values: not applied
+inline constexpr unsigned representation = 128;    ///< neither signed nor unsigned: unsigned
+inline constexpr unsigned photometric = 256;       ///< none: MONOCHROME2
+inline constexpr unsigned realWorldValues = 512;   ///< a mapping to physical values: not applied
+inline constexpr unsigned decimalCommas = 1024;    ///< numbers with a comma: read as decimals
+inline constexpr unsigned followingFrames = 2048;  ///< the place of the first frame alone: the others follow it
+inline constexpr unsigned volumePlace = 4096;      ///< places in the frame of an ultrasound volume
+inline constexpr unsigned noFrames = 8192;         ///< a number of frames of 0: 1
+inline constexpr unsigned acrNema = 16384;         ///< a file from before DICOM: its place is taken for DICOM's
 }  // namespace assumed
 
 /// One slice. Usually a whole stored frame; of a mosaic a tile of it.
@@ -72,29 +77,39 @@ struct DicomFrame {
   glm::ivec2 size{0};    ///< columns and rows of the slice
 
   bool hasGeometry = false;
-  glm::dvec3 position{0.0};  ///< centre of the first pixel, LPS mm
-  glm::dmat2x3 axes{1.0};    ///< unit vectors along a row and down a column
-  glm::dvec2 spacing{1.0};   ///< mm between columns and between rows
-  double thickness = 0.0;    ///< mm, of the slice; 0 when not said
+  glm::dvec3 position{0.0};        ///< centre of the first pixel, LPS mm
+  glm::dmat2x3 axes{1.0};          ///< unit vectors along a row and down a column
+  glm::dvec2 spacing{1.0};         ///< mm between columns and between rows
+  bool hasAxes = false;            ///< the axes are the header's; true with geometry
+  bool ownPlace = false;           ///< given for this frame, not for the first one of its file
+  double thickness = 0.0;          ///< mm, of the slice; 0 when not said
+  double step = 0.0;               ///< mm, Spacing Between Slices; 0 when not said
+  std::optional<double> location;  ///< mm, Slice Location
 
   double slope = 1.0, intercept = 0.0;
   std::vector<WindowLevel> windows;
   unsigned assumed = 0;  ///< bits of fenestra::io::assumed
 
-  std::string frameOfReference, frameType, stack;            ///< frames that differ here form different volumes
-  std::int64_t temporal = 0, acquisition = 0, instance = 0;  ///< order among frames at one position
+  std::string frameOfReference, frameType, stack;  ///< frames that differ here form different volumes
+  std::vector<std::string> parts;                  ///< values of the attributes of ImageParts.h, in their order
+  /// Order among frames at one position.
+  std::int64_t temporal = 0, acquisition = 0, instance = 0;
+  double trigger = 0.0;  ///< ms behind the trigger; comes behind `temporal`
 };
 
 struct DicomFile {
   std::filesystem::path path;
   std::string sopClass, instance, series, modality, description, unit;
   std::string study, date;  ///< description of the study; YYYYMMDD of the series, or else of the study
-  std::string refusal;      ///< why this is no scalar image; empty when it is one
+  std::string studyUid;
+  std::string refusal;                             ///< why this is no scalar image; empty when it is one
   std::shared_ptr<const DicomLabelObject> labels;  ///< of a segmentation or structure set
   PixelFormat format;
-  int transferSyntax = 0;  ///< DCMTK's E_TransferSyntax
+  int transferSyntax = 0;      ///< DCMTK's E_TransferSyntax
+  std::string syntaxUid = {};  ///< as the meta header gives it; empty: there is none
   PixelPlace pixels;
   bool monochrome1 = false;
+  bool acrNema = false;        ///< from before DICOM
   bool mosaicUnsplit = false;  ///< a mosaic whose layout is unknown; it stays one slice
   std::shared_ptr<const ModalityLut> lut;
   std::optional<ValueLimits> limits;

@@ -2,14 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <optional>
 
-#include "io/base/ByteStream.h"
 #include "io/base/Error.h"
 #include "io/base/Text.h"
 #include "io/dicom/Dataset.h"
 #include "io/dicom/DicomValues.h"
+#include "io/dicom/FramePlaces.h"
+#include "io/dicom/ImageParts.h"
 #include "io/dicom/LabelObject.h"
 #include "io/dicom/Mosaic.h"
 
@@ -68,28 +68,11 @@ DicomFrame readFrame(const Scopes& scopes, const DicomFile& file, int index) {
       break;
     }
   if (!scopes.perFrame) frame.temporal = integerOf(scopes.dataset, DCM_TemporalPositionIdentifier).value_or(0);
+  frame.parts = partsOf(scopes, index);
+  frame.trigger = numberOf(scopes.dataset, DCM_TriggerTime).value_or(0.0);
   frame.acquisition = integerOf(scopes.dataset, DCM_AcquisitionNumber).value_or(0);
   frame.instance = integerOf(scopes.dataset, DCM_InstanceNumber).value_or(0);
   return frame;
-}
-
-/// RT dose (PS3.3 C.8.8.3): frames along the normal at Grid Frame Offset Vector's offsets.
-void placeDoseFrames(DcmItem& dataset, DicomFile& file) {
-  const double first = numberOf(dataset, DCM_GridFrameOffsetVector, 0).value_or(0.0);
-  for (std::size_t i = 0; i < file.frames.size(); ++i) {
-    DicomFrame& frame = file.frames[i];
-    if (!dataset.tagExists(DCM_DoseGridScaling)) frame.assumed |= assumed::doseScaling;
-    frame.slope = mappingNumber(dataset, DCM_DoseGridScaling, 1.0, assumed::doseScaling, frame);
-    const auto offset = numberOf(dataset, DCM_GridFrameOffsetVector, i);
-    if (!offset) {
-      frame.hasGeometry = frame.hasGeometry && file.frames.size() == 1;
-      continue;
-    }
-    // Offsets start at 0, or are the slices' own z (C.8.8.3.2): both give distances from the first.
-    frame.position += glm::cross(frame.axes[0], frame.axes[1]) * (*offset - first);
-  }
-  const std::string units = textOf(dataset, DCM_DoseUnits);
-  file.unit = units == "GY" ? "Gy" : lowered(units);
 }
 
 std::shared_ptr<const ModalityLut> modalityLut(DcmItem& dataset, const PixelFormat& format) {
@@ -171,6 +154,18 @@ std::optional<ValueLimits> limitsOf(DcmItem& dataset, const PixelFormat& format)
   return limits;
 }
 
+/// Elscint's scanners, later Philips', keep pixels in an element of their own. Throws Error where that is compressed in
+/// another way than DicomCodecs.h decodes.
+void checkPrivatePixels(DcmItem& dataset, const fs::path& path) {
+  const auto tag = privateTag(dataset, privatePixelGroup, privatePixelCreator, 0x11);
+  const std::string compression = tag ? textOf(dataset, *tag) : std::string();
+  if (compression == "PMSCT_RLE1") return;
+  throw Error(path,
+              "its pixels stand in a private element of Elscint (07a1,100a), compressed as " +
+                  (compression.empty() ? "it does not say" : compression),
+              "convert the file to a standard transfer syntax with the maker's software");
+}
+
 /// Bits of DicomFrame::assumed that all frames of a file share.
 unsigned assumedOf(DcmItem& dataset, const DicomFile& file) {
   unsigned bits = 0;
@@ -186,6 +181,9 @@ unsigned assumedOf(DcmItem& dataset, const DicomFile& file) {
   }
   if (textOf(dataset, DCM_PhotometricInterpretation).empty()) bits |= assumed::photometric;
   if (firstItem(&dataset, DCM_ModalityLUTSequence) && !file.lut) bits |= assumed::lut;
+  if (usesDecimalCommas(dataset)) bits |= assumed::decimalCommas;
+  if (integerOf(dataset, DCM_NumberOfFrames) == 0) bits |= assumed::noFrames;
+  if (file.acrNema) bits |= assumed::acrNema;
   return bits;
 }
 
@@ -211,6 +209,8 @@ DicomFile readDicomHeader(const fs::path& path) {
   file.sopClass = sopClass;
   file.instance = textOf(dataset, DCM_SOPInstanceUID);
   file.series = textOf(dataset, DCM_SeriesInstanceUID);
+  file.studyUid = textOf(dataset, DCM_StudyInstanceUID);
+  file.acrNema = textOf(dataset, DCM_RETIRED_RecognitionCode).starts_with("ACR-NEMA");
   file.modality = textOf(dataset, DCM_Modality);
   file.description = typedTextOf(dataset, DCM_SeriesDescription);
   file.study = typedTextOf(dataset, DCM_StudyDescription);
@@ -218,6 +218,7 @@ DicomFile readDicomHeader(const fs::path& path) {
   if (file.date.empty()) file.date = textOf(dataset, DCM_StudyDate);
 
   file.transferSyntax = dataset.getOriginalXfer();
+  file.syntaxUid = textOf(*fileFormat.getMetaInfo(), DCM_TransferSyntaxUID);
   const auto pixels = pixelsOf(dataset, path);
   file.pixels = pixels.value_or(PixelPlace{});
   file.format = pixelFormatOf(dataset, file.pixels);
@@ -225,6 +226,7 @@ DicomFile readDicomHeader(const fs::path& path) {
   if (isLabelClass(sopClass)) file.labels = std::make_shared<DicomLabelObject>(labelObjectIn(dataset, path));
   if (!file.refusal.empty()) return file;
   if (!pixels) throw Error(path, "its pixels cannot be read (there are none)", "the file is truncated or damaged");
+  if (file.pixels.isPrivate) checkPrivatePixels(dataset, path);
 
   file.monochrome1 = textOf(dataset, DCM_PhotometricInterpretation) == "MONOCHROME1";
   file.lut = modalityLut(dataset, file.format);
@@ -239,7 +241,6 @@ DicomFile readDicomHeader(const fs::path& path) {
   DcmSequenceOfItems* perFrame = nullptr;
   dataset.findAndGetSequence(DCM_PerFrameFunctionalGroupsSequence, perFrame);
   DcmItem* shared = firstItem(&dataset, DCM_SharedFunctionalGroupsSequence);
-  const bool hasGroups = perFrame || shared;
   DcmObject* next = nullptr;
   for (std::int64_t index = 0; index < frames; ++index) {
     if (perFrame) next = perFrame->nextInContainer(next);
@@ -247,12 +248,8 @@ DicomFile readDicomHeader(const fs::path& path) {
     file.frames.push_back(readFrame({dynamic_cast<DcmItem*>(next), shared, dataset}, file, static_cast<int>(index)));
     file.frames.back().assumed |= assumed;
   }
-  if (sopClass == UID_RTDoseStorage)
-    placeDoseFrames(dataset, file);
-  else if (frames > 1 && !hasGroups)
-    // One position for many frames: the format says nothing about where the others are.
-    for (DicomFrame& frame : file.frames) frame.hasGeometry = false;
-  if (frames == 1 && textOf(dataset, DCM_ImageType).find("MOSAIC") != std::string::npos) splitMosaic(dataset, file);
+  placeFrames(dataset, file);
+  if (frames == 1) splitMosaic(dataset, file);
   return file;
 }
 

@@ -143,6 +143,7 @@ std::optional<PixelPlace> findPixels(const fs::path& path, ElementCoding coding)
   }
   // The coding of each open level: elements of unknown type and undefined length are implicit inside (PS3.5 6.2.2).
   std::vector<ElementCoding> levels{coding};
+  std::optional<PixelPlace> elscint;
   for (;;) {
     // The meta header is explicit and little-endian whatever the dataset is; its group length comes first.
     std::optional<Element> element = nextElement(cursor, inMeta ? ElementCoding{} : levels.back());
@@ -170,6 +171,11 @@ std::optional<PixelPlace> findPixels(const fs::path& path, ElementCoding coding)
       if (coding.bigEndian) place.swapped = swappedUnit(*element);
       return place;
     }
+    const bool isElscint = element->tag >> 16 == privatePixelGroup && (element->tag & 0xff) == privatePixelElement &&
+                           (element->tag & 0xff00) >= 0x1000;
+    if (top && isElscint && element->length != undefinedLength)
+      elscint = PixelPlace{
+          .offset = cursor.position(), .length = element->length, .deflated = dataset.deflated, .isPrivate = true};
     if (element->tag == itemEnd || element->tag == sequenceEnd) {
       if (!top) levels.pop_back();
     } else if (element->length == undefinedLength) {
@@ -178,7 +184,7 @@ std::optional<PixelPlace> findPixels(const fs::path& path, ElementCoding coding)
       break;
     }
   }
-  return std::nullopt;
+  return elscint;
 }
 
 void NativePixels::read(std::uint64_t start, std::span<std::byte> into) {

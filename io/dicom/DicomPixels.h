@@ -20,9 +20,15 @@ struct PixelPlace {
   std::uint64_t length = 0;   ///< bytes, as the element says; 0 when encapsulated
   bool encapsulated = false;  ///< compressed frames, in fragments
   bool deflated = false;
-  int floatBytes = 0;  ///< of a sample of Float (4) or Double Float (8) Pixel Data; 0: integers
-  int swapped = 1;     ///< bytes of the units that are stored the other way round (big endian): 1 is none
+  bool isPrivate = false;  ///< one compressed frame in a private element of Elscint
+  int floatBytes = 0;      ///< of a sample of Float (4) or Double Float (8) Pixel Data; 0: integers
+  int swapped = 1;         ///< bytes of the units that are stored the other way round (big endian): 1 is none
 };
+
+/// The private element that holds the pixels of some CTs by Elscint and Philips: (07a1,xx0a), its compression
+/// (07a1,xx11).
+inline constexpr std::uint16_t privatePixelGroup = 0x07a1, privatePixelElement = 0x0a;
+inline constexpr const char* privatePixelCreator = "ELSCINT1";
 
 /// How a file's elements are written.
 struct ElementCoding {
@@ -36,8 +42,8 @@ struct DatasetStream {
 };
 DatasetStream openDataset(const std::filesystem::path& path);
 
-/// Finds Pixel Data, Float Pixel Data or Double Float Pixel Data on the top level. Throws Error when the file cannot be
-/// read.
+/// Finds Pixel Data, Float Pixel Data or Double Float Pixel Data on the top level, or else Elscint's element. Throws
+/// Error when the file cannot be read.
 std::optional<PixelPlace> findPixels(const std::filesystem::path& path, ElementCoding coding);
 
 /// Bytes of uncompressed frames, in little-endian order. Reads forwards without opening the file again.

@@ -29,6 +29,16 @@ constexpr Remark remarks[] = {
      "the header does not say whether pixels are signed; they are taken as unsigned"},
     {assumed::photometric, Warning::Kind::Other,
      "the header does not say whether high values are bright; MONOCHROME2 is assumed, where they are"},
+    {assumed::decimalCommas, Warning::Kind::Other,
+     "numbers are written with a comma, which DICOM forbids; it is read as the decimal point"},
+    {assumed::followingFrames, Warning::Kind::NoGeometry,
+     "the file gives the place of its first frame alone; the others are taken to follow it along the normal, at its "
+     "Spacing Between Slices"},
+    {assumed::volumePlace, Warning::Kind::NoGeometry,
+     "the slices are placed in the frame of the ultrasound volume; where that lies in the patient is not said"},
+    {assumed::noFrames, Warning::Kind::Other, "the header counts 0 frames; one is read"},
+    {assumed::acrNema, Warning::Kind::Other,
+     "the file is from before DICOM (ACR-NEMA); its position and orientation are taken for DICOM's"},
     {assumed::realWorldValues, Warning::Kind::Other,
      "the header maps values to a physical quantity (Real World Value Mapping); they are shown as stored"}};
 

@@ -16,6 +16,7 @@ struct DicomStack {
   Grid grid;
   /// Time points of one place share a group, and are numbered from 1; 0: it is no time point.
   int group = 0, time = 0, times = 0;
+  std::string part;               ///< "echo time 4.92 ms": what tells it from other volumes of its series; may be empty
   std::vector<Warning> warnings;  ///< which slices belong to it; not where they lie
 };
 

@@ -20,7 +20,8 @@ bool looksLikeDicom(const FileStart& start) {
   const bool big = bytes[0] == 0 && bytes[1] == 8 && bytes[2] == 0;
   if (got < 8 || !(little || big)) return false;
   try {
-    return !readDicomHeader(start.path()).instance.empty();
+    const DicomFile file = readDicomHeader(start.path());
+    return !file.instance.empty() || file.acrNema;
   } catch (const Error&) {
     return false;
   }

@@ -168,9 +168,10 @@ DecodedStack decodeStack(const DicomStack& stack, const std::vector<DicomFile>& 
         if (!last || last->file != frame.file) decoder.emplace(file);
         if (!last || last->file != frame.file || last->number != frame.number) {
           words = decoder->decode(frame.number);
-          if (decoder->samplesOutside() > 0) {
+          if (decoder->samplesOutside() > 0 || decoder->bytesBehind() > 0) {
             const std::scoped_lock lock(mutex);
-            decoded.samplesOutside[frame.file] += decoder->samplesOutside();
+            if (decoder->samplesOutside() > 0) decoded.samplesOutside[frame.file] += decoder->samplesOutside();
+            if (decoder->bytesBehind() > 0) decoded.bytesBehind[frame.file] += decoder->bytesBehind();
           }
         }
         storeSlice(words, frame, file, mapping.applied, decoded.voxels, order[i] * sliceVoxels);

@@ -22,6 +22,7 @@ struct DecodedStack {
   Voxels voxels;                                      ///< unusable when a file failed
   std::map<std::size_t, std::string> failed;          ///< causes, by index of the file
   std::map<std::size_t, std::size_t> samplesOutside;  ///< samples that the header rules out, by index of the file
+  std::map<std::size_t, std::size_t> bytesBehind;     ///< behind the last RLE run, by index of the file
 };
 /// Throws Error, Cancelled.
 DecodedStack decodeStack(const DicomStack& stack, const std::vector<DicomFile>& files, const Mapping& mapping,

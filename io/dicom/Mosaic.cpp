@@ -41,35 +41,77 @@ std::vector<double> csaNumbers(const Uint8* data, unsigned long size, const std:
   return values;
 }
 
-}  // namespace
+/// Most slices of a picture: more than a mosaic of any scanner holds.
+constexpr double mostSlices = 1024;
 
-// The tiles follow row by row. The stored position is that of the whole picture laid around the slices' centre.
-void splitMosaic(DcmItem& dataset, DicomFile& file) {
-  file.mosaicUnsplit = true;
-  const Uint8* csa = nullptr;
-  unsigned long size = 0;
-  if (dataset.findAndGetUint8Array(DcmTag(0x0029, 0x1010, EVR_OB), csa, &size).bad() || !csa) return;
-  const auto count = csaNumbers(csa, size, "NumberOfImagesInMosaic");
-  const auto normal = csaNumbers(csa, size, "SliceNormalVector");
-  const double step = numberOf(dataset, DCM_SpacingBetweenSlices).value_or(file.frames[0].thickness);
-  // 1024: more slices than a mosaic of any scanner holds.
-  if (count.empty() || !(count[0] >= 1 && count[0] <= 1024) || normal.size() != 3 || !(step > 0.0)) return;
-  const DicomFrame whole = file.frames[0];
-  const int tiles = static_cast<int>(std::ceil(std::sqrt(count[0])));
-  if (!whole.hasGeometry || whole.size.x % tiles != 0 || whole.size.y % tiles != 0) return;
-
-  file.mosaicUnsplit = false;
-  file.frames.clear();
+/// Tiles of a picture follow row by row, in the smallest square that holds `count` of them; empty where it does not
+/// divide. Their positions are the whole picture's.
+std::vector<DicomFrame> tilesOf(const DicomFrame& whole, double count) {
+  const int tiles = static_cast<int>(std::ceil(std::sqrt(count)));
+  if (whole.size.x % tiles != 0 || whole.size.y % tiles != 0) return {};
   const glm::ivec2 tile = whole.size / tiles;
-  const glm::dvec2 margin = glm::dvec2(whole.size - tile) * 0.5 * whole.spacing;
-  for (int slice = 0; slice < static_cast<int>(count[0]); ++slice) {
-    DicomFrame frame = whole;
+  std::vector<DicomFrame> frames(static_cast<std::size_t>(count), whole);
+  for (int slice = 0; slice < static_cast<int>(count); ++slice) {
+    DicomFrame& frame = frames[static_cast<std::size_t>(slice)];
     frame.tile = glm::ivec2(slice % tiles, slice / tiles) * tile;
     frame.size = tile;
-    frame.position =
-        whole.position + whole.axes * margin + glm::dvec3(normal[0], normal[1], normal[2]) * (step * slice);
-    file.frames.push_back(frame);
   }
+  return frames;
+}
+
+/// Siemens: the private header gives the number of slices and the direction they follow in. The stored position is that
+/// of the whole picture laid around the slices' centre.
+std::vector<DicomFrame> siemensTiles(DcmItem& dataset, const DicomFrame& whole) {
+  const Uint8* csa = nullptr;
+  unsigned long size = 0;
+  if (dataset.findAndGetUint8Array(DcmTag(0x0029, 0x1010, EVR_OB), csa, &size).bad() || !csa) return {};
+  const auto count = csaNumbers(csa, size, "NumberOfImagesInMosaic");
+  const auto normal = csaNumbers(csa, size, "SliceNormalVector");
+  const double declared = whole.thickness > 0.0 ? whole.thickness : whole.step;
+  const double step = numberOf(dataset, DCM_SpacingBetweenSlices).value_or(declared);
+  if (count.empty() || !(count[0] >= 1 && count[0] <= mostSlices) || normal.size() != 3 || !(step > 0.0)) return {};
+  if (!whole.hasGeometry) return {};
+  std::vector<DicomFrame> frames = tilesOf(whole, count[0]);
+  for (std::size_t slice = 0; slice < frames.size(); ++slice) {
+    const glm::dvec2 margin = glm::dvec2(whole.size - frames[slice].size) * 0.5 * whole.spacing;
+    frames[slice].position = whole.position + whole.axes * margin +
+                             glm::dvec3(normal[0], normal[1], normal[2]) * (step * static_cast<double>(slice));
+  }
+  return frames;
+}
+
+/// United Imaging: an item for each slice gives its own position, of its own first pixel.
+std::vector<DicomFrame> unitedTiles(DcmItem& dataset, const DicomFrame& whole, double count, const DcmTagKey& slices) {
+  std::vector<DicomFrame> frames = tilesOf(whole, count);
+  std::size_t slice = 0;
+  bool placed = true;
+  forEachItem(dataset, slices, [&](DcmItem& item) {
+    const auto position = numbersOf<3>(item, DCM_ImagePositionPatient);
+    placed = placed && position.has_value();
+    if (placed && slice < frames.size()) frames[slice].position = *position;
+    ++slice;
+  });
+  if (!placed || slice != frames.size() || !whole.hasAxes) return {};
+  for (DicomFrame& frame : frames) frame.hasGeometry = true;
+  return frames;
+}
+
+}  // namespace
+
+void splitMosaic(DcmItem& dataset, DicomFile& file) {
+  const DicomFrame& whole = file.frames[0];
+  std::vector<DicomFrame> frames;
+  constexpr const char* united = "Image Private Header";
+  const auto countTag = file.modality == "MR" ? privateTag(dataset, 0x0065, united, 0x50) : std::nullopt;
+  const double count = countTag ? numberOf(dataset, *countTag).value_or(0.0) : 0.0;
+  if (count > 1.0 && count <= mostSlices && count == std::floor(count))
+    frames = unitedTiles(dataset, whole, count, DcmTagKey(0x0065, static_cast<Uint16>(countTag->getElement() + 1)));
+  else if (textOf(dataset, DCM_ImageType).find("MOSAIC") != std::string::npos)
+    frames = siemensTiles(dataset, whole);
+  else
+    return;
+  file.mosaicUnsplit = frames.empty();
+  if (!frames.empty()) file.frames = std::move(frames);
 }
 
 }  // namespace fenestra::io

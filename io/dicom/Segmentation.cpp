@@ -15,6 +15,7 @@
 #include "io/dicom/Dataset.h"
 #include "io/dicom/DicomDecoder.h"
 #include "io/dicom/DicomValues.h"
+#include "io/dicom/FramePlaces.h"
 #include "io/dicom/Slabs.h"
 #include "rendering/volume/Threads.h"
 
@@ -112,7 +113,7 @@ Frame readFrame(const Scopes& scopes, int number, Header& header) {
   DicomFrame place;
   readGeometry(scopes, place);
   const std::string name = "frame " + std::to_string(number + 1);
-  if (!place.hasGeometry)
+  if (!place.hasGeometry || !place.ownPlace)
     throw Error(header.file.path, "its " + name + " does not say where it lies in the patient",
                 "only segmentations of volumes can be opened");
   if (place.assumed & (assumed::spacing | assumed::garbledSpacing))
@@ -123,9 +124,8 @@ Frame readFrame(const Scopes& scopes, int number, Header& header) {
   if (number == 0) {
     header.axes = place.axes;
     header.spacing = place.spacing;
-    header.thickness = place.thickness;
-    if (DcmItem* measures = scopes.group(DCM_PixelMeasuresSequence))
-      header.declaredStep = std::abs(numberOf(*measures, DCM_SpacingBetweenSlices).value_or(0.0));
+    header.thickness = place.thickness > 0.0 ? place.thickness : place.step;
+    header.declaredStep = place.step;
   }
   // A thousandth of a radian, and of the spacing: rounding leaves less.
   const bool parallel = glm::distance(place.axes[0], header.axes[0]) < 1e-3 &&

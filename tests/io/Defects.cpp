@@ -49,8 +49,8 @@ std::string testNameOf(const Defect& defect) {
 
 std::vector<Defect> allDefects() {
   std::vector<Defect> all;
-  for (const auto& part :
-       {dicomDefects(), fileDefects(), meaningDefects(), tiffDefects(), labelDefects(), labelNameDefects()})
+  for (const auto& part : {dicomDefects(), dicomKindDefects(), fileDefects(), meaningDefects(), tiffDefects(),
+                           labelDefects(), labelNameDefects()})
     all.insert(all.end(), part.begin(), part.end());
   return all;
 }

@@ -1,7 +1,7 @@
 #pragma once
 // A table of damaged, incomplete and contradictory files: how each is made, and the error or warning that it must give.
-// A row is added in DicomDefects.cpp, FileDefects.cpp, MeaningDefects.cpp, TiffDefects.cpp, LabelDefects.cpp
-// or LabelNameDefects.cpp.
+// A row is added in DicomDefects.cpp (damage), DicomKindDefects.cpp (what writers do differently), FileDefects.cpp,
+// MeaningDefects.cpp, TiffDefects.cpp, LabelDefects.cpp or LabelNameDefects.cpp.
 
 #include <filesystem>
 #include <functional>
@@ -53,6 +53,7 @@ std::ostream& operator<<(std::ostream& stream, const Defect& defect);
 std::string testNameOf(const Defect& defect);
 
 std::vector<Defect> dicomDefects();
+std::vector<Defect> dicomKindDefects();
 std::vector<Defect> fileDefects();
 /// Whole files whose headers mean something that a reader may get wrong: units, commas, axes.
 std::vector<Defect> meaningDefects();

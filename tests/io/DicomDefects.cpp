@@ -1,9 +1,9 @@
+#include <cstring>
 #include <functional>
 #include <numeric>
 
 #include "tests/io/Defects.h"
-#include "tests/io/DicomBytes.h"
-#include "tests/io/DicomWriter.h"
+#include "tests/io/DicomMakes.h"
 #include "tests/io/IoTesting.h"
 #include "tests/support/TestData.h"
 
@@ -11,35 +11,6 @@ namespace fenestra::tests {
 namespace fs = std::filesystem;
 
 namespace {
-
-constexpr std::uint32_t modality = 0x00080060, units = 0x00541001;
-constexpr std::uint32_t sliceThickness = 0x00180050, imagerSpacing = 0x00181164;
-constexpr std::uint32_t position = 0x00200032, orientation = 0x00200037;
-constexpr std::uint32_t samples = 0x00280002, photometric = 0x00280004, frameCount = 0x00280008, rows = 0x00280010,
-                        columns = 0x00280011, pixelSpacing = 0x00280030;
-constexpr std::uint32_t bitsAllocated = 0x00280100, bitsStored = 0x00280101, highBit = 0x00280102,
-                        representation = 0x00280103, smallest = 0x00280106, largest = 0x00280107;
-constexpr std::uint32_t intercept = 0x00281052, slope = 0x00281053, modalityLut = 0x00283000, doseScaling = 0x3004000e;
-constexpr std::uint32_t realWorldValues = 0x00409096;
-constexpr std::uint32_t floatPixels = 0x7fe00008, doublePixels = 0x7fe00009, pixels = 0x7fe00010;
-
-using Make = std::function<fs::path(const fs::path&)>;
-using Edit = std::function<void(DicomBytes&)>;
-
-Edit set(std::uint32_t tag, const std::string& vr, const std::string& value) {
-  return [=](DicomBytes& file) { file.set(tag, vr, value); };
-}
-Edit set(std::uint32_t tag, int value) { return set(tag, "US", shortValue(value)); }
-Edit drop(std::uint32_t tag) {
-  return [=](DicomBytes& file) { file.drop(tag); };
-}
-Edit unknown(std::uint32_t tag) {
-  return [=](DicomBytes& file) { file.makeUnknown(tag); };
-}
-/// Changes a value where it is.
-Edit change(std::uint32_t tag, const std::function<void(std::string&)>& how) {
-  return [=](DicomBytes& file) { how(file.value(tag)); };
-}
 
 DicomSpec narrow(Syntax syntax, int allocated, int stored) {
   DicomSpec spec = pictureSpec(syntax);
@@ -67,40 +38,6 @@ DicomSpec rescaled(const char* slopeText, const char* interceptText) {
   return spec;
 }
 
-fs::path writeEdited(const fs::path& path, const DicomSpec& spec, const std::vector<Edit>& edits) {
-  writeDicom(path, spec);
-  DicomBytes file(readFile(path));
-  for (const Edit& edit : edits) edit(file);
-  writeFile(path, file.bytes());
-  return path;
-}
-
-Make file(const std::vector<Edit>& edits, const DicomSpec& spec = pictureSpec()) {
-  return [=](const fs::path& folder) { return writeEdited(folder / "a.dcm", spec, edits); };
-}
-/// The bytes of a written file changed as a whole.
-Make bytes(const std::function<std::string(std::string)>& how, const DicomSpec& spec = pictureSpec()) {
-  return [=](const fs::path& folder) {
-    writeDicom(folder / "a.dcm", spec);
-    writeFile(folder / "a.dcm", how(readFile(folder / "a.dcm")));
-    return folder / "a.dcm";
-  };
-}
-/// A folder of `count` slices 2 mm apart, each changed as `how` says.
-Make series(int count, const std::function<void(int slice, DicomSpec&)>& how, const std::vector<Edit>& edits = {}) {
-  return [=](const fs::path& folder) {
-    for (int slice = 0; slice < count; ++slice) {
-      DicomSpec spec = pictureSpec();
-      spec.instance = "1.2.3." + std::to_string(slice + 1);
-      spec.instanceNumber = slice + 1;
-      spec.position = glm::dvec3(0, 0, 2 * slice);
-      how(slice, spec);
-      writeEdited(folder / (std::to_string(slice) + ".dcm"), spec, edits);
-    }
-    return folder;
-  };
-}
-void asItIs(int, DicomSpec&) {}
 /// A series, and then `how` done to its folder.
 Make seriesAnd(const std::function<void(const fs::path& folder)>& how) {
   return [=](const fs::path& folder) {
@@ -133,38 +70,10 @@ Edit marker(int code, std::size_t at, const std::string& replacement) {
 }
 std::string big(int value) { return {static_cast<char>(value >> 8), static_cast<char>(value & 0xff)}; }
 
-const std::string sequenceEnd("\xfe\xff\xdd\xe0\0\0\0\0", 8);
-
-/// Encapsulated pixels: an empty offset table, fragments, the end.
-std::string fragments(const std::vector<std::string>& parts, bool ended = true) {
-  std::string value = std::string("\xfe\xff\x00\xe0", 4) + std::string(4, '\0');
-  for (const std::string& part : parts)
-    value += std::string("\xfe\xff\x00\xe0", 4) + bytesOf(static_cast<std::uint32_t>(part.size())) + part;
-  return value + (ended ? sequenceEnd : "");
-}
-/// The one fragment of a compressed frame changed, with lengths that are right.
-Edit fragment(const std::function<std::string(std::string)>& how, bool ended = true) {
-  return change(pixels, [=](std::string& value) {
-    std::uint32_t table = 0, length = 0;
-    std::memcpy(&table, value.data() + 4, 4);
-    std::memcpy(&length, value.data() + 12 + table, 4);
-    std::string part = how(value.substr(16 + table, length));
-    if (part.size() % 2 != 0) part += '\0';
-    value = fragments({part}, ended);
-  });
-}
 Edit unended = fragment([](std::string part) { return part; }, false);
 Edit half = fragment([](const std::string& part) { return part.substr(0, part.size() / 4 * 2); });
 /// Drops the end-of-image marker and what follows.
 Edit withoutEnd = fragment([](const std::string& part) { return part.substr(0, part.rfind("\xff\xd9")); });
-
-std::string element(std::uint32_t tag, const std::string& vr, const std::string& value) {
-  return shortValue(static_cast<int>(tag >> 16)) + shortValue(static_cast<int>(tag & 0xffff)) + vr +
-         shortValue(static_cast<int>(value.size())) + value;
-}
-std::string item(const std::string& content) {
-  return std::string("\xfe\xff\x00\xe0", 4) + bytesOf(static_cast<std::uint32_t>(content.size())) + content;
-}
 
 template <class T>
 Edit floats(std::uint32_t tag, const char* vr, int bits) {
@@ -476,8 +385,19 @@ std::vector<Defect> compressionDefects() {
        error("its RLE header is damaged")},
       {"rle cut", file({half}, rle), damaged},
       {"rle of more than its picture",
-       file({fragment([](const std::string& part) { return part + std::string(40, '\x05'); })}, rle),
+       file({fragment([](std::string part) {
+              // Between the segments: the second one starts later.
+              std::uint32_t second = 0;
+              std::memcpy(&second, part.data() + 8, 4);
+              part.insert(second, std::string(40, '\x05'));
+              part.replace(8, 4, bytesOf(second + 40));
+              return part;
+            })},
+            rle),
        error("an RLE segment is longer than its picture")},
+      {"rle with bytes behind its last run",
+       file({fragment([](const std::string& part) { return part + std::string(40, '\x05'); })}, rle),
+       warning("40 bytes behind the last run of RLE pixels left out")},
       {"rle header cut", file({fragment([](const std::string& part) { return part.substr(0, 30); })}, rle),
        error("its RLE header is cut off")},
       // SIZ: marker, length, capabilities, columns, rows, origin, tile, tile origin, components, depth.
