@@ -11,11 +11,12 @@
 #include "io/base/SessionName.h"
 #include "io/study/Interpret.h"
 #include "io/study/ReadStudy.h"
-#include "rendering/scene/LookStyle.h"
 #include "viewer/bars/NoticeBar.h"
+#include "viewer/bars/OfStudy.h"
 #include "viewer/dialogs/SeriesChooser.h"
 #include "viewer/files/Sessions.h"
 #include "viewer/model/Paths.h"
+#include "viewer/model/SettingOwners.h"
 #include "viewer/model/Workspace.h"
 #include "viewer/panels/FileDialog.h"
 
@@ -46,9 +47,17 @@ FileOpener::FileOpener(QWidget& window, Workspace& workspace, StudyLoader& loade
 StudyLoader::Reader FileOpener::readerOf(const io::DataRequest& data) const {
   io::StudyRequest request;
   static_cast<io::DataRequest&>(request) = data;
-  request.look = preferences_.startingLook(styleOf(document_.look()));
+  request.look = preferences_.startingLook({});
   request.projection = cameras_.projection();
-  return [request](const io::Progress& progress) { return io::readStudy(request, progress); };
+  return [request, chosen = chosenLook_](const io::Progress& progress) {
+    io::Study study = io::readStudy(request, progress);
+    if (chosen) startIn(study, *chosen);
+    return study;
+  };
+}
+
+void FileOpener::setChosenLook(const io::LookPreset* preset) {
+  chosenLook_ = preset ? std::optional(*preset) : std::nullopt;
 }
 
 void FileOpener::open(const std::vector<std::filesystem::path>& paths) {
@@ -60,7 +69,7 @@ void FileOpener::open(const std::vector<std::filesystem::path>& paths) {
   try {
     loader_.open(readerOf(io::interpret(paths)));
   } catch (const io::Error& error) {
-    notices_.add(NoticeBar::Kind::Error, QString::fromUtf8(error.what()));
+    notices_.addError(NoticeBar::Subject::Opening, QString::fromUtf8(error.what()));
   }
 }
 
@@ -104,6 +113,7 @@ void FileOpener::chooseLabels() {
 
 void FileOpener::chooseSeries() {
   SeriesChooser chooser(document_.study(), &window_);
+  markOfStudy(chooser);
   if (chooser.exec() != QDialog::Accepted) return;
   if (const std::optional<std::string> series = chooser.chosen()) openSeries(*series);
 }
