@@ -104,7 +104,7 @@ std::string textChunk(const PngText& text) {
 }  // namespace
 
 void writePng(const fs::path& path, glm::ivec2 size, int channels, std::span<const std::uint8_t> pixels,
-              const std::optional<PngText>& text) {
+              const std::vector<PngText>& texts) {
   png_image image{};
   image.version = PNG_IMAGE_VERSION;
   image.width = static_cast<png_uint_32>(size.x);
@@ -120,7 +120,8 @@ void writePng(const fs::path& path, glm::ivec2 size, int channels, std::span<con
   // libpng's simple interface writes no text. Texts may stand anywhere before the last chunk, IEND, which has no data.
   constexpr std::size_t lastChunk = 12;
   const std::size_t front = count - lastChunk;
-  const std::string chunk = text ? textChunk(*text) : std::string();
+  std::string chunk;
+  for (const PngText& text : texts) chunk += textChunk(text);
   writeAtomically(path, [&](const fs::path& temporary) {
     writeBytes(temporary, {{bytes.data(), front}, {chunk.data(), chunk.size()}, {bytes.data() + front, lastChunk}});
   });

@@ -3,7 +3,6 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -20,7 +19,7 @@ struct PngText {
 
 /// 8-bit PNG, row by row from the top, `channels` 1 (grey), 3 (RGB) or 4 (RGBA, not premultiplied).
 void writePng(const std::filesystem::path& path, glm::ivec2 size, int channels, std::span<const std::uint8_t> pixels,
-              const std::optional<PngText>& text = {});
+              const std::vector<PngText>& texts = {});
 
 /// 2-D MetaImage, float32, uncompressed, local data, `channels` interleaved, first row = top of the picture.
 void writeLayer(const std::filesystem::path& path, glm::ivec2 size, int channels, std::span<const float> values);

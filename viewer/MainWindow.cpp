@@ -19,11 +19,11 @@
 #include "viewer/StudyNotices.h"
 #include "viewer/UndoKeys.h"
 #include "viewer/actions/Actions.h"
-#include "viewer/actions/MeasureMenu.h"
-#include "viewer/actions/StructureMenu.h"
 #include "viewer/bars/LoadingBar.h"
 #include "viewer/bars/NoticeBar.h"
+#include "viewer/bars/OfStudy.h"
 #include "viewer/bars/StatusBar.h"
+#include "viewer/bars/WaitingBar.h"
 #include "viewer/exports/Exports.h"
 #include "viewer/exports/PictureExports.h"
 #include "viewer/exports/Verification.h"
@@ -32,20 +32,11 @@
 #include "viewer/guide/Guide.h"
 #include "viewer/guide/Tour.h"
 #include "viewer/guide/WelcomePage.h"
-#include "viewer/model/CamerasChange.h"
 #include "viewer/model/PatientLines.h"
-#include "viewer/panels/AppearancePanel.h"
-#include "viewer/panels/BrushPanel.h"
 #include "viewer/panels/CamerasPanel.h"
 #include "viewer/panels/FileDialog.h"
-#include "viewer/panels/FocusPanel.h"
-#include "viewer/panels/LabelEditPanel.h"
-#include "viewer/panels/RegionPanel.h"
-#include "viewer/panels/StrokeList.h"
 #include "viewer/style/FocusRing.h"
 #include "viewer/style/Style.h"
-#include "viewer/views/PlacementRenderer.h"
-#include "viewer/views/PreviewRenderer.h"
 #include "viewer/views/ViewArea.h"
 
 namespace fenestra::viewer {
@@ -101,6 +92,7 @@ MainWindow::MainWindow(const Setup& setup, QWidget* parent)
                           *sessions_, *views_, gl_, [this] { resetLayout(); }, *panels_.cutaway, *guide_, *tour_});
   setStatusBar(new StatusBar(workspace_.document, *views_, gl_));
   // Below the pictures: a bar above them would resize them, and each click would draw them again.
+  statusBar()->addPermanentWidget(new WaitingBar(*views_));
   statusBar()->addPermanentWidget(
       new LoadingBar(grower_.job(), tr("Growing the region"), [this] { grower_.cancel(); }));
   statusBar()->addPermanentWidget(new LoadingBar(labelEditor_.job(), tr("Editing the label")));
@@ -137,70 +129,6 @@ QWidget* MainWindow::makeCentre() {
   column->addWidget(tour_);
   column->addWidget(pages_, 1);
   return centre;
-}
-
-void MainWindow::connectModels() {
-  connect(&workspace_.document, &Document::volumeChanged, this, &MainWindow::followVolume);
-  connect(&workspace_.placement, &PlacementController::leaving, this, [this] {
-    workspace_.document.history().push(tr("Place cameras"), std::make_shared<CamerasChange>(workspace_.cameras));
-  });
-}
-
-void MainWindow::connectViews() {
-  if (gl_.available)
-    workspace_.placement.setBackend(std::make_unique<PlacementRenderer>(*views_->volumeViews().front()));
-  if (gl_.available) previews_ = std::make_unique<PreviewRenderer>(*views_->volumeViews().front());
-  // While the cameras are about to move, a picture at full quality would be wasted.
-  connect(&workspace_.placement, &PlacementController::changed, this, [this] {
-    for (VolumeView* view : views_->volumeViews()) view->hold(workspace_.placement.isBusy());
-  });
-  connect(&workspace_.options, &ViewOptions::changed, this,
-          [this] { notices_->hideNames(workspace_.options.hidesPatient()); });
-  connect(&grower_, &RegionGrower::failed, this, &MainWindow::showError);
-  connect(views_, &ViewArea::menuRequested, this,
-          [this](glm::dvec3 world, QPoint at) { showStructureMenu(workspace_, world, at); });
-  connect(views_, &ViewArea::picked, &workspace_.placement, &PlacementController::pick);
-  connect(views_, &ViewArea::pickTakenBack, &workspace_.placement, &PlacementController::forgetPick);
-  connect(views_, &ViewArea::measureMenuRequested, this,
-          [this](std::size_t measure, QPoint at) { showMeasureMenu(workspace_, measure, at); });
-  connect(views_, &ViewArea::failed, this, &MainWindow::showError, Qt::QueuedConnection);
-  connect(
-      views_, &ViewArea::reduced, this,
-      [this](const QString& notice) { notices_->add(NoticeBar::Kind::Warning, notice + QLatin1Char('.')); },
-      Qt::QueuedConnection);
-}
-
-void MainWindow::connectPanels() {
-  connect(panels_.focus, &FocusPanel::structureChosen, this, &MainWindow::goToFocus);
-  connect(panels_.focus->region(), &RegionPanel::kept, &labelEditor_, &LabelEditor::keepRegion);
-  connect(panels_.focus->labelEdits(), &LabelEditPanel::edited, &labelEditor_, &LabelEditor::edit);
-  connect(&labelEditor_.job(), &LoadJob::failed, this, &MainWindow::showError);
-  connect(&labelEditor_, &LabelEditor::tookFromOthers, this, [this](const QString& label, double ml) {
-    notices_->add(
-        NoticeBar::Kind::Warning,
-        tr("%1 lies over other labels and took %2 ml from them; undo brings them back.").arg(label).arg(ml, 0, 'g', 3));
-  });
-  panels_.appearance->presets().setBackend(previews_.get());
-  connect(&panels_.appearance->presets(), &PresetPicker::failed, this, &MainWindow::showError);
-  connect(&panels_.appearance->editor(), &TransferFunctionEditor::failed, this, &MainWindow::showError);
-  connect(&panels_.appearance->presets(), &PresetPicker::warned, this,
-          [this](const QString& message) { notices_->add(NoticeBar::Kind::Warning, message + QLatin1Char('.')); });
-  for (const std::string& problem : workspace_.looks.problems()) showError(QString::fromStdString(problem));
-  connect(&panels_.brush->strokes(), &StrokeList::failed, this, &MainWindow::showError);
-}
-
-void MainWindow::connectLoader() {
-  connect(&loader_, &StudyLoader::opened, this, &MainWindow::studyOpened);
-  connect(&loader_, &StudyLoader::labelsOpened, notices_, &NoticeBar::addWarnings);
-  connect(&loader_.job(), &LoadJob::started, this, [this] { welcome_->setReading(true); });
-  connect(&loader_.job(), &LoadJob::ended, this, [this] {
-    welcome_->setReading(loader_.job().isRunning());
-    if (!loader_.job().isRunning()) tour_->openingEnded();
-  });
-  connect(&loader_.job(), &LoadJob::failed, this, [this](const QString& message) {
-    showError(message);
-    Q_EMIT failed(message);
-  });
 }
 
 void MainWindow::restoreLayout() {
@@ -280,7 +208,9 @@ void MainWindow::addSample(const QString& name, StudyLoader::SampleReader read) 
 void MainWindow::studyOpened() {
   const io::Study& study = workspace_.document.study();
   pages_->setCurrentWidget(views_);
-  notices_->clear();
+  notices_->forgetStudy();
+  closeThoseOfStudy(*this);
+  statusBar()->clearMessage();
   tour_->studyOpened();
   sessions_->studyShown();
   const std::filesystem::path& path = study.sessionFile.empty() ? study.session.volume.path : study.sessionFile;
@@ -289,8 +219,6 @@ void MainWindow::studyOpened() {
   if (study.placed) workspace_.placement.placeAutomatically();
   Q_EMIT opened();
 }
-
-void MainWindow::showError(const QString& message) { notices_->add(NoticeBar::Kind::Error, message); }
 
 void MainWindow::goToFocus() {
   focusSearch_.start([this, scene = workspace_.document.scene()](const io::Progress&) -> LoadJob::Show {
@@ -319,6 +247,24 @@ void MainWindow::whenDrawn(std::function<void()> done) {
   });
   constexpr int milliseconds = 30;
   poll->start(milliseconds);
+}
+
+void MainWindow::offer(const QString& name, std::function<io::StudyRequest()> request) {
+  const QString text = tr("%1 was named at the start and is not open.");
+  notices_->add(NoticeBar::Kind::Offer, NoticeBar::Subject::Offered, text.arg(name),
+                {{tr("Open"),
+                  [this, request = std::move(request)] {
+                    if (!sessions_->mayGo()) return;
+                    notices_->end(NoticeBar::Subject::Offered);
+                    sessions_->open(request);
+                  }}},
+                text.arg(tr("Other data")));
+}
+
+void MainWindow::leave() {
+  sessions_->leave();
+  workspace_.preferences.setLayout(saveGeometry(), saveState(layoutVersion), views_->saveLayout());
+  QCoreApplication::exit(0);
 }
 
 QImage MainWindow::picture(Patient patient) {

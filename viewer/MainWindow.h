@@ -8,6 +8,7 @@
 
 #include <QMainWindow>
 
+#include "io/study/StudyRequest.h"
 #include "viewer/Panels.h"
 #include "viewer/jobs/LabelEditor.h"
 #include "viewer/jobs/RegionGrower.h"
@@ -57,6 +58,10 @@ class MainWindow : public QMainWindow {
   /// An entry in the File menu and on the welcome page for data that comes with the program. The guided tour takes the
   /// first.
   void addSample(const QString& name, StudyLoader::SampleReader read);
+  /// Offers data in a notice, because other data was opened first. `name` may name the patient.
+  void offer(const QString& name, std::function<io::StudyRequest()> request);
+  /// Ends the program in order, without a question: unsaved work is left for the next start to offer.
+  void leave();
 
   /// Calls `done` once, when nothing is being read and all views show the scene at full quality.
   void whenDrawn(std::function<void()> done);
@@ -101,7 +106,6 @@ class MainWindow : public QMainWindow {
   /// Moves crosshair and cameras to a new volume, before any view draws it.
   void followVolume();
   void studyOpened();
-  void showError(const QString& message);
   /// Moves the crosshair to the centre of the focus once another thread has found it.
   void goToFocus();
   /// Nothing is being read, measured or drawn.

@@ -8,6 +8,7 @@
 #include <QStatusBar>
 #include <QTimer>
 
+#include "rendering/segmentation/Couch.h"
 #include "viewer/actions/SegmentationMenu.h"
 #include "viewer/bars/NoticeBar.h"
 #include "viewer/files/FileOpener.h"
@@ -29,6 +30,36 @@ QString describe(const io::SeriesInfo& series) {
       .trimmed();
 }
 
+double voxelsOf(const io::SeriesInfo& series) {
+  return static_cast<double>(series.dims.x) * series.dims.y * series.dims.z;
+}
+
+/// No other series of the study has as many voxels.
+bool isLargest(const io::Study& study) {
+  return std::all_of(study.otherSeries.begin(), study.otherSeries.end(),
+                     [&](const io::SeriesInfo& other) { return voxelsOf(other) < voxelsOf(study.series); });
+}
+
+/// A warning as the window says it. What a reader adds for the command line, in a last clause, has a menu here.
+io::Warning inTheWindow(io::Warning warning) {
+  if (warning.text == segmentation::tableNotice) {
+    warning.text = StudyNotices::tr(
+                       "The scanner's table is left out of 3-D pictures; slices show it. \"Hide the table\" "
+                       "in the panel Context brings it back")
+                       .toStdString();
+    return warning;
+  }
+  const std::size_t option = warning.text.find(", --");
+  if (option == std::string::npos) return warning;
+  warning.text.resize(option);
+  using Kind = io::Warning::Kind;
+  if (warning.kind == Kind::TimePoints)
+    warning.text += StudyNotices::tr("; File → Choose series has the others").toStdString();
+  if (warning.kind == Kind::Recognised)
+    warning.text += StudyNotices::tr("; File → Kind of values says otherwise").toStdString();
+  return warning;
+}
+
 }  // namespace
 
 StudyNotices::StudyNotices(QMainWindow& window, Workspace& workspace, StudyLoader& loader, FileOpener& files,
@@ -42,20 +73,21 @@ StudyNotices::StudyNotices(QMainWindow& window, Workspace& workspace, StudyLoade
       notices_(notices) {}
 
 void StudyNotices::show() {
-  offerSeries();
-  offerSegmentations();
   warn();
+  offerSegmentations();
+  offerSeries();
 }
 
 void StudyNotices::offerSeries() {
   const io::Study& study = workspace_.document.study();
   if (study.otherSeries.empty() || study.restoresSession) return;
+  const int count = static_cast<int>(study.otherSeries.size()) + 1;
   notices_.add(
-      NoticeBar::Kind::Warning,
+      NoticeBar::Kind::Offer, NoticeBar::Subject::Study,
       study.series.times > 1
           ? tr("There are %n time points here; this is number %1.", nullptr, study.series.times).arg(study.series.time)
-          : tr("There are %n series here; this is the largest, %1.", nullptr,
-               static_cast<int>(study.otherSeries.size()) + 1)
+          : (isLargest(study) ? tr("There are %n series here; open is the one of most voxels, %1.", nullptr, count)
+                              : tr("There are %n series here; open is %1.", nullptr, count))
                 .arg(describe(study.series)),
       {{tr("Choose…"), [this] { files_.chooseSeries(); }}});
 }
@@ -66,13 +98,14 @@ void StudyNotices::offerSegmentations() {
   if (study.segmentations.size() == 1) {
     const io::SegmentationInfo& only = study.segmentations.front();
     const QString text = tr("A segmentation of this series lies beside it: %1.");
-    notices_.add(NoticeBar::Kind::Warning, text.arg(titleOf(only, SegmentationTitle::Full)),
+    notices_.add(NoticeBar::Kind::Offer, NoticeBar::Subject::Segmentations,
+                 text.arg(titleOf(only, SegmentationTitle::Full)),
                  {{tr("Open"), [this, file = only.file] { loader_.openLabels(file); }}},
                  text.arg(titleOf(only, SegmentationTitle::Nameless)));
     return;
   }
   notices_.add(
-      NoticeBar::Kind::Warning,
+      NoticeBar::Kind::Offer, NoticeBar::Subject::Segmentations,
       tr("%n segmentations of this series lie beside it.", nullptr, static_cast<int>(study.segmentations.size())),
       {{tr("Choose…"), [this] {
           // From the event loop: the notice may be gone while the menu is open.
@@ -88,13 +121,12 @@ void StudyNotices::offerSegmentations() {
 
 void StudyNotices::warn() {
   const io::Study& study = workspace_.document.study();
-  std::vector<io::Warning> warnings = study.warnings;
-  if (study.geometry) {
-    const std::vector<io::Warning>& findings = study.geometry->findings;
-    std::erase_if(warnings, [&](const io::Warning& warning) {
-      return std::find(findings.begin(), findings.end(), warning) != findings.end();
-    });
-    notices_.addGeometry(*study.geometry, [this](io::Regularise choice) { sessions_.regularise(choice); });
+  std::vector<io::Warning> warnings;
+  for (const io::Warning& warning : study.warnings) {
+    const bool isInReport =
+        study.geometry && std::find(study.geometry->findings.begin(), study.geometry->findings.end(), warning) !=
+                              study.geometry->findings.end();
+    if (!isInReport) warnings.push_back(inTheWindow(warning));
   }
   // Recognised data is no problem, so the status bar shows it, and no notice takes room from the pictures.
   for (const io::Warning& warning : warnings)
@@ -102,6 +134,8 @@ void StudyNotices::warn() {
       window_.statusBar()->showMessage(QString::fromStdString(warning.text), recognisedMilliseconds);
   std::erase_if(warnings, [](const auto& warning) { return warning.kind == io::Warning::Kind::Recognised; });
   notices_.addWarnings(warnings);
+  if (study.geometry)
+    notices_.addGeometry(*study.geometry, [this](io::Regularise choice) { sessions_.regularise(choice); });
 }
 
 }  // namespace fenestra::viewer

@@ -212,10 +212,10 @@ void render(const RenderOptions& options) {
     frames.push_back(millisecondsSince(start));
   }
   printReduction(*gpuScene);
-  std::optional<io::PngText> proof;
+  std::vector<io::PngText> proof;
   if (options.certify) {
-    proof = prove(options, scene, view, session, renderer.readLayers().final);
-    printJson(Json::parse(proof->text));
+    proof = {prove(options, scene, view, session, renderer.readLayers().final)};
+    printJson(Json::parse(proof.front().text));
   }
   io::writePng(options.output, view.size, 3, withoutAlpha(picture), proof);
   if (!options.layers.empty()) writeLayers(options.layers, renderer.readLayers(), view, scene.volume->grid);

@@ -14,6 +14,7 @@
 #include "app/SceneOptions.h"
 #include "app/ScheduleChoice.h"
 #include "app/options/Completion.h"
+#include "app/viewer/TerminationSignals.h"
 #include "io/ImageWriter.h"
 #include "io/PhantomFile.h"
 #include "io/base/SessionName.h"
@@ -151,10 +152,15 @@ void setUp(QApplication& application) {
   applyStyle(application);
 }
 
-/// Offers to restore work after a crash; otherwise opens what `request` names.
+/// Offers to restore work after a crash; otherwise opens what `request` names, and else offers it beside the work.
 void openInWindow(MainWindow& window, const Request& request) {
-  if (window.sessions().startRecovery(Sessions::recoveryFolder()) || request.welcomes) return;
-  window.sessions().open([study = request.studyWith(window.workspace().preferences)] { return study; });
+  const bool restores = window.sessions().startRecovery(Sessions::recoveryFolder());
+  if (request.welcomes) return;
+  const auto asked = [study = request.studyWith(window.workspace().preferences)] { return study; };
+  if (restores)
+    window.offer(QString::fromStdString(request.study.source()), asked);
+  else
+    window.sessions().open(asked);
 }
 
 /// Opens what `request` names, saves the window once it is drawn, and ends the program.
@@ -202,6 +208,7 @@ int main(int argc, char** argv) {
     window.addSample(QString::fromStdString(io::loadPhantom(name).name), phantomReader(name));
   if (request.study.size) window.resize(request.study.size->x, request.study.size->y);
   window.show();
+  const TerminationSignals signals([&window] { window.leave(); });
   if (stays)
     openInWindow(window, request);
   else

@@ -123,7 +123,7 @@ void Conventions::addFileAndEditCases(Cases& cases) {
     EXPECT_TRUE(QTest::qWaitFor([] { return !QGuiApplication::clipboard()->image().isNull(); }, patience));
   };
   cases["Ctrl+Q"] = [this] {
-    window_->sessions().questions().saveChanges = [] { return SessionQuestions::Answer::Discard; };
+    window_->sessions().questions().saveChanges = [](const QStringList&) { return SessionQuestions::Answer::Discard; };
     press("Ctrl+Q");
     EXPECT_FALSE(window_->isVisible());
     window_->show();

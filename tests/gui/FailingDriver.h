@@ -2,6 +2,8 @@
 // OpenGL drivers that fail: epoxy calls OpenGL through function pointers, and each class replaces one of them for its
 // lifetime.
 
+#include <chrono>
+#include <thread>
 #include <utility>
 
 #include <epoxy/gl.h>
@@ -38,6 +40,42 @@ class ForgetfulDriver {
     throw gl::AllocationError("no graphics memory for a pixel");
   }
   PFNGLGETTEXTURESUBIMAGEPROC replaced_;
+};
+
+/// Takes a second and a half for each program that it links.
+class SlowCompiler {
+ public:
+  SlowCompiler() : replaced_(std::exchange(epoxy_glLinkProgram, &answer)) {}
+  ~SlowCompiler() { epoxy_glLinkProgram = replaced_; }
+  SlowCompiler(const SlowCompiler&) = delete;
+  SlowCompiler& operator=(const SlowCompiler&) = delete;
+
+ private:
+  static void answer(GLuint program) {
+    static const auto real =
+        reinterpret_cast<PFNGLLINKPROGRAMPROC>(QOpenGLContext::currentContext()->getProcAddress("glLinkProgram"));
+    std::this_thread::sleep_for(std::chrono::milliseconds(1500));
+    real(program);
+  }
+  PFNGLLINKPROGRAMPROC replaced_;
+};
+
+/// Takes a second for each 3-D texture that it makes room for.
+class SlowDriver {
+ public:
+  SlowDriver() : replaced_(std::exchange(epoxy_glTextureStorage3D, &answer)) {}
+  ~SlowDriver() { epoxy_glTextureStorage3D = replaced_; }
+  SlowDriver(const SlowDriver&) = delete;
+  SlowDriver& operator=(const SlowDriver&) = delete;
+
+ private:
+  static void answer(GLuint texture, GLsizei levels, GLenum format, GLsizei width, GLsizei height, GLsizei depth) {
+    static const auto real = reinterpret_cast<PFNGLTEXTURESTORAGE3DPROC>(
+        QOpenGLContext::currentContext()->getProcAddress("glTextureStorage3D"));
+    std::this_thread::sleep_for(std::chrono::seconds(1));
+    real(texture, levels, format, width, height, depth);
+  }
+  PFNGLTEXTURESTORAGE3DPROC replaced_;
 };
 
 /// Holds 3-D textures of 32 texels a side.

@@ -100,5 +100,29 @@ TEST(LoadJob, StopsItsReaderWhenItGoes) {
   EXPECT_TRUE(stopped);
 }
 
+TEST(LoadJob, AHeldOutcomeWaitsAndAnotherJobTakesItsPlace) {
+  LoadJob job;
+  int shown = 0;
+  const auto read = [&](int what) {
+    return [&shown, what](const io::Progress&) -> LoadJob::Show { return [&shown, what] { shown = what; }; };
+  };
+  job.hold();
+  job.start(read(1));
+  QTest::qWait(100);
+  EXPECT_EQ(shown, 0);
+  EXPECT_TRUE(job.isRunning());
+  job.release();
+  EXPECT_EQ(shown, 0) << "whoever asked goes on first";
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !job.isRunning(); }));
+  EXPECT_EQ(shown, 1);
+  job.hold();
+  job.start(read(2));
+  QTest::qWait(100);
+  job.release();
+  job.start(read(3));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !job.isRunning(); }));
+  EXPECT_EQ(shown, 3);
+}
+
 }  // namespace
 }  // namespace fenestra::viewer

@@ -282,5 +282,42 @@ TEST_F(Window, TheCrosshairIsOverTheSamePointInAllFiveViews) {
   for (int index : {0, 1}) expectOverMarker(volume(index), false, 0.06);
 }
 
+/// Rows of an image that hold light pixels, in runs: the lines of text.
+int linesIn(const QImage& image) {
+  int lines = 0;
+  bool before = false;
+  for (int y = 0; y < image.height(); ++y) {
+    bool text = false;
+    for (int x = 0; x < image.width() && !text; ++x) text = qGray(image.pixel(x, y)) > 120;
+    lines += text && !before;
+    before = text;
+  }
+  return lines;
+}
+
+TEST(Overlay, ALineOfTheStudyStaysOneLineWhateverItsLength) {
+  for (int width = 150; width < 420; width += 3) {
+    QImage image(width, 160, QImage::Format_RGB32);
+    image.fill(Qt::black);
+    QPainter painter(&image);
+    drawStudyText(painter, image.rect(), {QStringLiteral("IX LXXX-XXXX-0000")}, 1);
+    painter.end();
+    EXPECT_EQ(linesIn(image), 1) << width;
+  }
+}
+
+TEST(Overlay, TextOfTheStudyLeavesTheMiddleOfSmallViewsFree) {
+  for (const int height : {120, 160, 240, 400}) {
+    QImage image(300, height, QImage::Format_RGB32);
+    image.fill(Qt::black);
+    QPainter painter(&image);
+    drawStudyText(painter, image.rect(), QStringList(12, QStringLiteral("XXXX")), 1);
+    painter.end();
+    const QImage below = image.copy(0, height / 2, image.width(), height - height / 2);
+    EXPECT_EQ(linesIn(below), 0) << height;
+    EXPECT_GT(linesIn(image), 0) << height;
+  }
+}
+
 }  // namespace
 }  // namespace fenestra::viewer

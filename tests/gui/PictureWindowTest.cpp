@@ -73,6 +73,34 @@ TEST_F(PictureWindow, ASavedPictureIsWhatTheWindowShows) {
   EXPECT_EQ(meanDifference(saved.copy(axial), slice(SlicePlane::Axial)->grab().toImage()), 0.0);
 }
 
+TEST_F(PictureWindow, ASavedPictureSaysHowFaithfulItIs) {
+  Look look = document().look();
+  look.clipping.planes = {{glm::dvec3(1.0, 0.0, 0.0), 0.0}};
+  document().edit(QStringLiteral("clip"), look);
+  waitUntilDrawn();
+  PictureMaker::Request request = ofAll();
+  pictures().writePicture(folder_ / "plain.png", request);
+  waitUntilWritten();
+  request.causes = true;
+  pictures().writePicture(folder_ / "told.png", request);
+  waitUntilWritten();
+  for (const char* name : {"plain.png", "told.png"}) {
+    const QString text = load(folder_ / name).text(QStringLiteral("Fidelity"));
+    EXPECT_TRUE(text.contains(QStringLiteral("C1: altered; a part of the volume is clipped, by 1 plane")))
+        << text.toStdString();
+    EXPECT_TRUE(text.contains(QStringLiteral("no bound (quality: draft)"))) << text.toStdString();
+    EXPECT_TRUE(text.contains(QStringLiteral("Axial: faithful"))) << text.toStdString();
+  }
+  EXPECT_GT(meanDifference(load(folder_ / "plain.png"), load(folder_ / "told.png")), 0.0) << "the lines are written";
+  options().setText(false);
+  pictures().writePicture(folder_ / "silent.png", request);
+  waitUntilWritten();
+  request.causes = false;
+  pictures().writePicture(folder_ / "plain2.png", request);
+  waitUntilWritten();
+  EXPECT_EQ(load(folder_ / "silent.png"), load(folder_ / "plain2.png")) << "where texts do not show";
+}
+
 TEST_F(PictureWindow, ALargerPictureShowsTheSameWithMoreDetail) {
   pictures().writePicture(folder_ / "once.png", ofBoth());
   waitUntilWritten();

@@ -129,7 +129,7 @@ class PrivacyWindow : public Window {
     QApplication::setActiveWindow(window_.get());
     setAutomatic(false);
     SessionQuestions& questions = window_->sessions().questions();
-    questions.saveChanges = [] { return SessionQuestions::Answer::Discard; };
+    questions.saveChanges = [](const QStringList&) { return SessionQuestions::Answer::Discard; };
   }
   template <class Done>
   void waitFor(const Done& done) {

@@ -56,10 +56,12 @@ class SessionWindow : public Window {
   /// A question that a test does not expect fails the test instead of showing a dialog that waits for ever.
   void failOnQuestions() {
     SessionQuestions& questions = window_->sessions().questions();
-    questions.saveChanges = [] { return ADD_FAILURE() << "asked to save", SessionQuestions::Answer::Discard; };
+    questions.saveChanges = [](const QStringList&) {
+      return ADD_FAILURE() << "asked to save", SessionQuestions::Answer::Discard;
+    };
     questions.saveWhere = [](const fs::path&) { return ADD_FAILURE() << "asked where", std::nullopt; };
     questions.dataWhere = [](const io::DataMissing& missing) { return ADD_FAILURE() << missing.what(), std::nullopt; };
-    questions.restoreWork = [](const QDateTime&) {
+    questions.restoreWork = [](const QDateTime&, const QString&) {
       return ADD_FAILURE() << "asked to restore", SessionQuestions::Answer::Cancel;
     };
   }
@@ -136,9 +138,10 @@ class SessionWindow : public Window {
       int greatest = 0;
       for (int y = 0; y < cli.height(); ++y)
         for (int x = 0; x < cli.width(); ++x) {
-          // What the window draws over the picture: the orientation cube, and a frame around the view in use.
-          const double fromLeft = x / ratio, fromBottom = (cli.height() - y) / ratio;
+          // What the window draws over the picture: the orientation cube, the chip, and a frame around the view in use.
+          const double fromLeft = x / ratio, fromTop = y / ratio, fromBottom = (cli.height() - y) / ratio;
           if (fromLeft < 80 && fromBottom < 80) continue;
+          if (fromLeft < 28 && fromTop < 28) continue;
           if (std::min({x, y, cli.width() - 1 - x, cli.height() - 1 - y}) < 2 * ratio) continue;
           const QColor a = cli.pixelColor(x, y), b = window.pixelColor(x, y);
           greatest = std::max(
@@ -329,15 +332,16 @@ TEST_F(SessionWindow, AsksBeforeWorkIsLost) {
   using Answer = SessionQuestions::Answer;
   EXPECT_FALSE(window_->isWindowModified());
   EXPECT_TRUE(window_->sessions().mayGo());
-  document().focusOn(marker);
+  document().setRole(marker, LabelRole::Hidden);
   EXPECT_TRUE(window_->isWindowModified());
   document().undoStack().undo();
   EXPECT_FALSE(window_->isWindowModified()) << "undone, there is nothing to lose";
   document().focusOn(body);
+  document().setRole(marker, LabelRole::Hidden);
 
   int asked = 0;
   Answer answer = Answer::Cancel;
-  window_->sessions().questions().saveChanges = [&] { return ++asked, answer; };
+  window_->sessions().questions().saveChanges = [&](const QStringList&) { return ++asked, answer; };
   EXPECT_FALSE(window_->close());
   window_->open({folder_ / "data" / "ball.nii.gz"});
   QTest::qWait(50);
@@ -357,6 +361,7 @@ TEST_F(SessionWindow, AsksBeforeWorkIsLost) {
   EXPECT_EQ(io::readSession(folder_ / "kept.fenestra").look.focus, Focus(LabelFocus{{body}})) << "the ending is added";
   EXPECT_FALSE(window_->isWindowModified());
   document().focusOn(marker);
+  document().setRole(body, LabelRole::Hidden);
   answer = Answer::Discard;
   window_->show();
   EXPECT_TRUE(window_->close());
@@ -478,7 +483,9 @@ TEST_F(SessionWindow, KeptLabelsSurviveACrash) {
     if (entry.path().extension() != ".lock") fs::copy_file(entry.path(), left / entry.path().filename());
   restart();
   EXPECT_TRUE(fs::is_empty(kept)) << "a run that ends normally removes its copy and the labels";
-  window_->sessions().questions().restoreWork = [](const QDateTime&) { return SessionQuestions::Answer::Save; };
+  window_->sessions().questions().restoreWork = [](const QDateTime&, const QString&) {
+    return SessionQuestions::Answer::Save;
+  };
   QSignalSpy opened(window_.get(), &MainWindow::opened);
   ASSERT_TRUE(window_->sessions().startRecovery(left));
   ASSERT_TRUE(opened.wait(patience));
@@ -497,11 +504,13 @@ TEST_F(SessionWindow, KeptLabelsAreNotReplacedUnasked) {
   keepRegion(QStringLiteral("kept"));
   const std::vector<std::uint16_t> kept = labelValues();
   int asked = 0;
-  window_->sessions().questions().saveChanges = [&] { return ++asked, SessionQuestions::Answer::Cancel; };
+  window_->sessions().questions().saveChanges = [&](const QStringList&) {
+    return ++asked, SessionQuestions::Answer::Cancel;
+  };
   window_->openLabels(folder_ / "data" / "labels.nii.gz");
   EXPECT_EQ(asked, 1);
   EXPECT_EQ(labelValues(), kept);
-  window_->sessions().questions().saveChanges = [] { return SessionQuestions::Answer::Discard; };
+  window_->sessions().questions().saveChanges = [](const QStringList&) { return SessionQuestions::Answer::Discard; };
 }
 
 TEST_F(SessionWindow, OffersWhatACrashLeft) {
@@ -543,9 +552,10 @@ TEST_F(SessionWindow, OffersWhatACrashLeft) {
   EXPECT_EQ(copies(), 1) << "a run that ends normally removes its copy";
 
   int asked = 0;
-  window_->sessions().questions().restoreWork = [&](const QDateTime& saved) {
+  window_->sessions().questions().restoreWork = [&](const QDateTime& saved, const QString& study) {
     ++asked;
     EXPECT_LT(std::abs(saved.secsTo(QDateTime::currentDateTime())), 600);
+    EXPECT_EQ(study, QStringLiteral("work.fenestra"));
     return SessionQuestions::Answer::Save;
   };
   QSignalSpy opened(window_.get(), &MainWindow::opened);

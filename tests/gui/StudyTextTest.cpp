@@ -43,6 +43,16 @@ TEST(PatientLines, AreWrittenAsPeopleReadThem) {
   EXPECT_TRUE(patientLines({}, {}).isEmpty());
 }
 
+TEST(PatientLines, HoldNothingWithoutAGlyph) {
+  const std::string nul("47\0 11", 6), escape = "4\x1b$B711",
+                                       broken =
+                                           "47\xff"
+                                           "11";
+  EXPECT_EQ(patientLines({"", nul, "", ""}, {}), QStringList{"ID 47 11"});
+  EXPECT_EQ(patientLines({"", escape, "", ""}, {}), QStringList{"ID 4$B711"});
+  EXPECT_EQ(patientLines({"", broken, "", ""}, {}), QStringList{"ID 4711"});
+}
+
 TEST(PatientLines, ComeFromTheDicomFiles) {
   const auto folder = tests::scratchFolder() / "study";
   std::filesystem::create_directories(folder);

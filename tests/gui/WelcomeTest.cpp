@@ -202,8 +202,8 @@ TEST_F(GuidedTour, EndsWithAnotherStudyAndByItsButton) {
 TEST_F(GuidedTour, DoesNotBeginWhenTheUserKeepsTheOpenStudy) {
   addTorso();
   open(markedBall());
-  document().focusOn(marker);
-  window_->sessions().questions().saveChanges = [] { return SessionQuestions::Answer::Cancel; };
+  document().setRole(marker, LabelRole::Hidden);
+  window_->sessions().questions().saveChanges = [](const QStringList&) { return SessionQuestions::Answer::Cancel; };
   window_->tour().start();
   QTest::qWait(50);
   EXPECT_FALSE(window_->tour().step());

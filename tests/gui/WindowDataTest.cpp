@@ -4,6 +4,7 @@
 #include <fstream>
 #include <thread>
 
+#include <QAction>
 #include <QApplication>
 #include <QDockWidget>
 #include <QDragEnterEvent>
@@ -16,6 +17,7 @@
 #include <QUrl>
 
 #include "io/VolumeWriter.h"
+#include "rendering/segmentation/Couch.h"
 #include "tests/gui/WindowFixture.h"
 #include "tests/io/DicomWriter.h"
 #include "tests/support/TestData.h"
@@ -145,7 +147,51 @@ TEST_F(Window, WarningsAreShownOnceEach) {
   EXPECT_TRUE(window_->notices().texts().isEmpty());
 }
 
-TEST_F(Window, OtherDataKeepTheStyleAloneOfTheLookBefore) {
+TEST_F(Window, NoticesSpeakOfTheWindowAndNotOfTheCommandLine) {
+  io::Study study = markedBall();
+  study.warnings = {{io::Warning::Kind::TimePoints, "number 1 is shown, --time N chooses another", {}},
+                    {io::Warning::Kind::Other, segmentation::tableNotice, {}}};
+  open(study);
+  const QString all = window_->notices().texts().join(QLatin1Char('\n'));
+  EXPECT_FALSE(all.contains(QStringLiteral("--"))) << all.toStdString();
+  EXPECT_TRUE(all.contains(QStringLiteral("Choose series")));
+  EXPECT_TRUE(all.contains(QStringLiteral("Hide the table")));
+}
+
+TEST_F(Window, TheNoteOnSeriesIsTrueOfEachOfThem) {
+  io::Study study = markedBall();
+  study.series.dims = {48, 48, 48};
+  io::SeriesInfo other;
+  other.dims = {10, 10, 10};
+  study.otherSeries = {other};
+  open(study);
+  EXPECT_TRUE(window_->notices().texts().join(QLatin1Char('\n')).contains(QStringLiteral("most voxels")));
+  study.otherSeries.front().dims = {512, 512, 512};
+  open(study);
+  EXPECT_FALSE(window_->notices().texts().join(QLatin1Char('\n')).contains(QStringLiteral("most voxels")));
+  EXPECT_TRUE(window_->notices().texts().join(QLatin1Char('\n')).contains(QStringLiteral("There are 2 series")));
+}
+
+TEST_F(Window, TheMenuSaysWhatTheValuesAre) {
+  const std::filesystem::path file = tests::scratchFolder() / "ball.nii.gz";
+  io::writeVolume(*markedBall().scene.volume, file);
+  QSignalSpy opened(window_.get(), &MainWindow::opened);
+  window_->open(std::vector{file});
+  ASSERT_TRUE(opened.wait(patience));
+  const auto entry = [&](const QString& name) -> QAction* {
+    for (QAction* each : window_->findChildren<QAction*>())
+      if (each->text() == name) return each;
+    return nullptr;
+  };
+  ASSERT_NE(entry(QStringLiteral("&MR")), nullptr);
+  entry(QStringLiteral("&MR"))->trigger();
+  ASSERT_TRUE(opened.wait(patience));
+  EXPECT_EQ(document().scene().volume->modality, Modality::MR);
+  EXPECT_TRUE(entry(QStringLiteral("&MR"))->isChecked());
+  waitUntilDrawn();
+}
+
+TEST_F(Window, OtherDataKeepNothingOfTheLookBefore) {
   io::Study study = markedBall();
   Look& look = study.scene.look;
   look.focus = LabelFocus{{1}};
@@ -160,7 +206,7 @@ TEST_F(Window, OtherDataKeepTheStyleAloneOfTheLookBefore) {
   QSignalSpy opened(window_.get(), &MainWindow::opened);
   window_->open(std::vector{other});
   ASSERT_TRUE(opened.wait(patience));
-  EXPECT_EQ(document().look().cutaway.openWidth, 33.0);
+  EXPECT_EQ(document().look().cutaway.openWidth, Cutaway().openWidth);
   EXPECT_EQ(document().look().focus, Focus());
   EXPECT_TRUE(document().look().labels.empty());
   EXPECT_TRUE(document().removals().empty());

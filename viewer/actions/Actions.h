@@ -69,6 +69,7 @@ class Actions : public QObject {
 
   void makeFileMenu();
   /// The segmentations beside the series; hidden while there are none.
+  void addModalityMenu(QMenu& menu);
   void addSegmentationMenu(QMenu& menu);
   void addExports(QMenu& menu);
   void makeEditMenu();

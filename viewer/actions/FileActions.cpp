@@ -1,6 +1,7 @@
 // The File menu.
 
 #include <QAction>
+#include <QActionGroup>
 #include <QDir>
 #include <QMainWindow>
 #include <QMenuBar>
@@ -45,6 +46,7 @@ void Actions::makeFileMenu() {
   samples_->menuAction()->setVisible(false);
   menu->addSeparator();
   menu->addActions({series, labels});
+  addModalityMenu(*menu);
   addSegmentationMenu(*menu);
   menu->addSeparator();
   menu->addActions({save, saveAs});
@@ -52,6 +54,30 @@ void Actions::makeFileMenu() {
   menu->addSeparator();
   menu->addAction(action(tr("&Quit"), QKeySequence::Quit, [this] { targets_.window.close(); }));
   tools_ << QList<QAction*>{folder, file, labels, save};
+}
+
+void Actions::addModalityMenu(QMenu& menu) {
+  QMenu* kinds = menu.addMenu(tr("&Kind of values"));
+  auto* group = new QActionGroup(kinds);
+  const Document& document = targets_.workspace.document;
+  const auto add = [&](const QString& name, Modality modality) {
+    QAction* entry = kinds->addAction(name);
+    entry->setCheckable(true);
+    group->addAction(entry);
+    connect(entry, &QAction::triggered, this, [this, modality] { targets_.sessions.setModality(modality); });
+    connect(&document, &Document::volumeChanged, entry,
+            [entry, modality, &document] { entry->setChecked(document.scene().volume->modality == modality); });
+  };
+  add(tr("&CT"), Modality::CT);
+  add(tr("&MR"), Modality::MR);
+  add(tr("&Other"), Modality::Unknown);
+  // DICOM files say it themselves, and phantoms are of no kind.
+  const auto enable = [kinds, &document] {
+    const io::Study& study = document.study();
+    kinds->setEnabled(document.hasVolume() && !study.session.phantom && study.format != "DICOM");
+  };
+  connect(&document, &Document::volumeChanged, kinds, enable);
+  enable();
 }
 
 void Actions::addSegmentationMenu(QMenu& menu) {

@@ -9,13 +9,20 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include "viewer/bars/OfStudy.h"
 #include "viewer/model/Paths.h"
 
 namespace fenestra::viewer {
 namespace {
 
-/// A notice's texts, as properties of its label.
+/// A notice's texts, as properties of its label; what it is, as properties of its row.
 constexpr const char *withNamesKey = "withNames", *withoutNamesKey = "withoutNames";
+constexpr const char *kindKey = "kind", *subjectKey = "subject";
+
+NoticeBar::Kind kindOf(const QWidget& row) { return static_cast<NoticeBar::Kind>(row.property(kindKey).toInt()); }
+NoticeBar::Subject subjectOf(const QWidget& row) {
+  return static_cast<NoticeBar::Subject>(row.property(subjectKey).toInt());
+}
 
 /// A clause as a sentence.
 QString sentence(const std::string& clause) {
@@ -34,6 +41,7 @@ QString namesOf(const std::vector<std::filesystem::path>& files) {
 void showDetails(QWidget* window, const QString& title, const QString& text, const QString& details) {
   QMessageBox box(QMessageBox::Information, title, text, QMessageBox::Close, window);
   box.setDetailedText(details);
+  markOfStudy(box);
   box.exec();
 }
 
@@ -54,20 +62,44 @@ NoticeBar::NoticeBar(QWidget* parent) : QWidget(parent), rows_(new QVBoxLayout),
   fold();
 }
 
+QWidget* NoticeBar::rowAt(int index) const { return rows_->itemAt(index)->widget(); }
+
 void NoticeBar::fold() {
   constexpr int few = 3;
   const int count = rows_->count();
-  for (int row = 0; row < count; ++row) rows_->itemAt(row)->widget()->setVisible(unfolded_ || row < few);
-  unfold_->setVisible(!unfolded_ && count > few);
-  unfold_->setText(tr("%n more", nullptr, count - few));
+  int hidden = 0;
+  for (int row = 0; row < count; ++row) {
+    const bool shows = unfolded_ || row < few || kindOf(*rowAt(row)) == Kind::Error;
+    rowAt(row)->setVisible(shows);
+    hidden += shows ? 0 : 1;
+  }
+  unfold_->setVisible(hidden > 0);
+  unfold_->setText(tr("%n more", nullptr, hidden));
   setVisible(count > 0);
 }
 
-void NoticeBar::add(Kind kind, const QString& text, const std::vector<Action>& actions, const QString& withoutNames) {
-  if (texts().contains(text)) return;
+void NoticeBar::remove(const std::function<bool(const QWidget& row)>& goes) {
+  for (int row = rows_->count() - 1; row >= 0; --row) {
+    QWidget* widget = rowAt(row);
+    if (!goes(*widget)) continue;
+    rows_->removeWidget(widget);
+    widget->hide();
+    widget->deleteLater();  // one of its buttons may have been pressed
+  }
+  if (rows_->count() == 0) unfolded_ = false;
+  fold();
+}
+
+void NoticeBar::add(Kind kind, Subject subject, const QString& text, const std::vector<Action>& actions,
+                    const QString& withoutNames) {
+  remove([&](const QWidget& row) {
+    return row.findChild<QLabel*>()->property(withNamesKey).toString() == text && kindOf(row) == kind;
+  });
   auto* frame = new QFrame;
   frame->setObjectName(QStringLiteral("notice"));
   frame->setProperty("error", kind == Kind::Error);
+  frame->setProperty(kindKey, static_cast<int>(kind));
+  frame->setProperty(subjectKey, static_cast<int>(subject));
   auto* label = new QLabel(hidesNames_ && !withoutNames.isEmpty() ? withoutNames : text);
   label->setProperty(withNamesKey, text);
   label->setProperty(withoutNamesKey, withoutNames);
@@ -84,37 +116,48 @@ void NoticeBar::add(Kind kind, const QString& text, const std::vector<Action>& a
   for (const Action& action : actions) {
     auto* button = new QPushButton(action.name);
     connect(button, &QPushButton::clicked, this, action.run);
+    if (action.takes)
+      connect(button, &QPushButton::clicked, this,
+              [this, frame] { remove([frame](const QWidget& each) { return &each == frame; }); });
     row->addWidget(button);
   }
   row->addWidget(close);
-  connect(close, &QToolButton::clicked, this, [this, frame] {
-    rows_->removeWidget(frame);
-    frame->deleteLater();
-    fold();
-  });
-  rows_->addWidget(frame);
+  connect(close, &QToolButton::clicked, this,
+          [this, frame] { remove([frame](const QWidget& each) { return &each == frame; }); });
+  int place = 0;
+  while (place < rows_->count() && kindOf(*rowAt(place)) > kind) ++place;
+  rows_->insertWidget(place, frame);
   fold();
+}
+
+void NoticeBar::end(Subject subject) {
+  remove([&](const QWidget& row) { return subjectOf(row) == subject && kindOf(row) != Kind::Warning; });
+}
+
+void NoticeBar::forgetStudy() {
+  remove([](const QWidget& row) { return subjectOf(row) < Subject::Looks; });
 }
 
 void NoticeBar::hideNames(bool hide) {
   hidesNames_ = hide;
   for (int row = 0; row < rows_->count(); ++row) {
-    auto* label = rows_->itemAt(row)->widget()->findChild<QLabel*>();
+    auto* label = rowAt(row)->findChild<QLabel*>();
     const QString without = label->property(withoutNamesKey).toString();
     label->setText(hide && !without.isEmpty() ? without : label->property(withNamesKey).toString());
   }
 }
 
 void NoticeBar::addWarnings(const std::vector<io::Warning>& warnings) {
-  for (const io::Warning& warning : warnings) {
+  for (auto each = warnings.rbegin(); each != warnings.rend(); ++each) {
+    const io::Warning& warning = *each;
     const QString text = sentence(warning.text);
     if (warning.files.empty()) {
-      add(Kind::Warning, text);
+      add(Kind::Warning, Subject::Study, text);
       continue;
     }
-    add(Kind::Warning, text, {{tr("Files…"), [this, text, files = namesOf(warning.files)] {
-                                 showDetails(window(), tr("Files concerned"), text, files);
-                               }}});
+    add(Kind::Warning, Subject::Study, text, {{tr("Files…"), [this, text, files = namesOf(warning.files)] {
+                                                 showDetails(window(), tr("Files concerned"), text, files);
+                                               }}});
   }
 }
 
@@ -148,21 +191,12 @@ void NoticeBar::addGeometry(const io::GeometryReport& report, const std::functio
   else if (report.displacement > io::GeometryReport::tolerance)
     offer(tr("Regularise"), io::Regularise::Automatic);
   if (report.sheared) offer(tr("Make straight"), io::Regularise::Linear);
-  add(Kind::Warning, all, actions);
-}
-
-void NoticeBar::clear() {
-  while (QLayoutItem* item = rows_->takeAt(0)) {
-    item->widget()->deleteLater();
-    delete item;
-  }
-  unfolded_ = false;
-  fold();
+  add(Kind::Warning, Subject::Study, all, actions);
 }
 
 QStringList NoticeBar::texts() const {
   QStringList texts;
-  for (int row = 0; row < rows_->count(); ++row) texts << rows_->itemAt(row)->widget()->findChild<QLabel*>()->text();
+  for (int row = 0; row < rows_->count(); ++row) texts << rowAt(row)->findChild<QLabel*>()->text();
   return texts;
 }
 

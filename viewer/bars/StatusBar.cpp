@@ -8,6 +8,7 @@
 #include "viewer/model/Document.h"
 #include "viewer/model/LabelName.h"
 #include "viewer/model/MeasureText.h"
+#include "viewer/model/NumberText.h"
 #include "viewer/views/GlSupport.h"
 #include "viewer/views/ViewArea.h"
 
@@ -43,6 +44,10 @@ StatusBar::StatusBar(const Document& document, const ViewArea& views, const GlSu
   addPermanentWidget(frame_);
   addPermanentWidget(new QLabel(tr("Radiological convention")));
 
+  connect(&document, &Document::volumeChanged, this, [this] {
+    pointer_->clear();
+    frame_->clear();
+  });
   connect(&views, &ViewArea::pointed, this, &StatusBar::pointAt);
   connect(&views, &ViewArea::left, pointer_, &QLabel::clear);
   connect(&views, &ViewArea::drawn, this, [this] {
@@ -57,11 +62,9 @@ void StatusBar::pointAt(glm::dvec3 world) {
     return;
   }
   const Volume& volume = *document_.scene().volume;
-  QStringList parts{QStringLiteral("%1 %2")
-                        .arg(valueText(volume.value(*voxel), volume.range))
-                        .arg(QString::fromStdString(volume.unit))
-                        .trimmed(),
-                    patientCoordinates(world)};
+  QStringList parts{
+      QStringLiteral("%1 %2").arg(valueText(volume.value(*voxel), volume.range)).arg(unitText(volume.unit)).trimmed(),
+      patientCoordinates(world)};
   if (const Label* label = document_.labelAt(world)) parts << nameOf(*label);
   pointer_->setText(parts.join(QStringLiteral("     ")));
 }

@@ -112,6 +112,7 @@ PictureMaker::Request PictureDialog::request() const {
   PictureMaker::Request request = choices_.at(static_cast<std::size_t>(views_->currentIndex())).views;
   request.scale = static_cast<double>(width_->value()) / shownSize().width();
   request.marks = marks_->isChecked();
+  request.causes = true;  // a file has no tool tip
   return request;
 }
 

@@ -10,6 +10,7 @@
 #include <QSignalBlocker>
 
 #include "viewer/model/Document.h"
+#include "viewer/model/NumberText.h"
 
 namespace fenestra::viewer {
 
@@ -45,7 +46,7 @@ void WindowLevelDialog::follow() {
   if (!document_.hasVolume()) return;
   const Volume& volume = *document_.scene().volume;
   const double span = std::max(volume.range.high - volume.range.low, 1e-9);
-  const QString unit = QString::fromStdString(volume.unit.empty() ? std::string() : " " + volume.unit);
+  const QString unit = unitSuffix(volume.unit);
   const int decimals = span < 20.0 ? 4 : 1;
   const WindowLevel window = document_.window();
   for (const auto& [box, value, low] :

@@ -16,9 +16,9 @@
 namespace fenestra::viewer {
 
 Exports::Exports(QMainWindow& window, const Document& document, const ViewOptions& options, NoticeBar& notices)
-    : QObject(&window), window_(window), document_(document), options_(options) {
+    : QObject(&window), window_(window), document_(document), options_(options), notices_(notices) {
   connect(&job_, &LoadJob::failed, this,
-          [&notices](const QString& message) { notices.add(NoticeBar::Kind::Error, message); });
+          [this](const QString& message) { notices_.addError(NoticeBar::Subject::Writing, message); });
 }
 
 bool Exports::canWriteLabels(Labels which) const {
@@ -92,6 +92,7 @@ void Exports::writeSurface(const std::filesystem::path& path, io::SurfaceFrame f
 LoadJob::Show Exports::written(const std::filesystem::path& path) {
   return [this, path] {
     constexpr int milliseconds = 8000;
+    notices_.end(NoticeBar::Subject::Writing);
     window_.statusBar()->showMessage(tr("Wrote %1").arg(toQString(path.filename())), milliseconds);
   };
 }

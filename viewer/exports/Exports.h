@@ -46,6 +46,7 @@ class Exports : public QObject {
   QMainWindow& window_;
   const Document& document_;
   const ViewOptions& options_;
+  NoticeBar& notices_;
   LoadJob job_;
 };
 

@@ -82,7 +82,8 @@ void PictureExports::choosePicture() {
 void PictureExports::chooseTurntable() {
   const auto& volumes = views_.volumeViews();
   if (std::none_of(volumes.begin(), volumes.end(), [](const VolumeView* view) { return view->isVisible(); })) {
-    notices_.add(NoticeBar::Kind::Warning, tr("No 3-D view is on screen that could turn."));
+    notices_.add(NoticeBar::Kind::Warning, NoticeBar::Subject::Writing,
+                 tr("No 3-D view is on screen that could turn."));
     return;
   }
   PictureDialog dialog(PictureDialog::What::Turntable, views_, maker_, &window_);
@@ -115,7 +116,7 @@ void PictureExports::writeTurntable(const std::filesystem::path& file, const Pic
   if (toQString(file).endsWith(pictureEnding, Qt::CaseInsensitive))
     for (int number = 1; number <= frames; ++number)
       if (const std::filesystem::path frame = frameFile(file, number); std::filesystem::exists(frame)) {
-        notices_.add(NoticeBar::Kind::Warning,
+        notices_.add(NoticeBar::Kind::Warning, NoticeBar::Subject::Writing,
                      tr("%1 exists already: choose another name, or delete the pictures of an earlier turntable.")
                          .arg(toQString(frame.filename())));
         return;
@@ -155,11 +156,12 @@ void PictureExports::cancel() {
 void PictureExports::fail(const QString& problem) {
   cancel();
   window_.statusBar()->clearMessage();
-  notices_.add(NoticeBar::Kind::Error, problem);
+  notices_.addError(NoticeBar::Subject::Writing, problem);
 }
 
 void PictureExports::tellWritten(const std::filesystem::path& path) {
   constexpr int milliseconds = 8000;
+  notices_.end(NoticeBar::Subject::Writing);
   window_.statusBar()->showMessage(tr("Wrote %1").arg(toQString(path.filename())), milliseconds);
 }
 
@@ -180,8 +182,9 @@ void PictureExports::made(const QImage& picture) {
     return;
   }
   if (turntable_) turntable_->written.push_back(path);
-  writer_.start([this, path, picture](const io::Progress& progress) -> LoadJob::Show {
-    writePng(picture, path);
+  const io::PngText texts = textOf(maker_.fidelity());
+  writer_.start([this, path, picture, texts](const io::Progress& progress) -> LoadJob::Show {
+    writePng(picture, path, {texts});
     if (!progress(1.0, {})) {
       std::filesystem::remove(path);
       throw io::Cancelled();

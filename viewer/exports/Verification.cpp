@@ -14,6 +14,7 @@
 #include "io/study/SessionData.h"
 #include "rendering/volume/Threads.h"
 #include "viewer/bars/NoticeBar.h"
+#include "viewer/bars/OfStudy.h"
 #include "viewer/exports/PictureFile.h"
 #include "viewer/model/Document.h"
 #include "viewer/model/Paths.h"
@@ -60,7 +61,7 @@ Verification::Verification(QMainWindow& window, const Document& document, ViewAr
     : QObject(&window), window_(window), views_(views), notices_(notices), session_(std::move(session)) {
   for (LoadJob* job : {&job_, &writer_})
     connect(job, &LoadJob::failed, this,
-            [this](const QString& problem) { notices_.add(NoticeBar::Kind::Error, problem); });
+            [this](const QString& problem) { notices_.addError(NoticeBar::Subject::Verifying, problem); });
   connect(&document, &Document::volumeChanged, this, &Verification::cancel);
   for (VolumeView* view : views.volumeViews())
     connect(view, &VolumeView::settled, this, [this, view] {
@@ -78,7 +79,8 @@ void Verification::start() {
     view = first != volumes.end() ? *first : nullptr;
   }
   if (!view || !view->problem().isEmpty()) {
-    notices_.add(NoticeBar::Kind::Warning, tr("No 3-D view is on screen that could be verified."));
+    notices_.add(NoticeBar::Kind::Warning, NoticeBar::Subject::Verifying,
+                 tr("No 3-D view is on screen that could be verified."));
     return;
   }
   awaited_ = view;
@@ -97,19 +99,27 @@ void Verification::begin(VolumeView& view) {
   const std::optional<FinishedPicture> picture = view.finishedPicture();
   if (!picture) return;  // it changes again
   awaited_ = nullptr;
-  job_.start([this, picture = *picture, session = session_()](const io::Progress& progress) mutable -> LoadJob::Show {
-    Result result{certified(picture, progress), picture.image, {}};
+  job_.start([this, &view, picture = *picture, fidelity = textOf(linesOf(view.fidelity())),
+              session = session_()](const io::Progress& progress) mutable -> LoadJob::Show {
+    Result result{certified(picture, progress), picture.image, {}, fidelity};
     io::noteContents(session, progress);
     result.proof = io::proofOf(result.certificate, std::move(session));
-    return [this, result = std::move(result)] { show(result); };
+    return [this, &view, shown = picture.view, result = std::move(result)] {
+      // It may have changed meanwhile.
+      if (const auto now = view.finishedPicture(); now && now->view == shown)
+        view.noteVerified(statement(result.certificate));
+      show(result);
+    };
   });
 }
 
 void Verification::show(const Result& result) {
+  notices_.end(NoticeBar::Subject::Verifying);
   auto* box = new QMessageBox(QMessageBox::NoIcon, tr("Verify this picture"), statement(result.certificate),
                               QMessageBox::Close, &window_);
   box->setAttribute(Qt::WA_DeleteOnClose);
   box->setModal(false);
+  markOfStudy(*box);
   box->setInformativeText(detailsOf(result.certificate));
   box->setTextInteractionFlags(Qt::TextSelectableByMouse);
   const QPushButton* save = box->addButton(tr("&Save the picture…"), QMessageBox::AcceptRole);
@@ -129,7 +139,7 @@ void Verification::show(const Result& result) {
 
 void Verification::write(const std::filesystem::path& png, const Result& result) {
   writer_.start([this, png, result](const io::Progress&) -> LoadJob::Show {
-    writePng(result.picture, png, result.proof);
+    writePng(result.picture, png, {result.proof, result.fidelity});
     return [this, png] { window_.statusBar()->showMessage(tr("Wrote %1").arg(toQString(png.filename())), 8000); };
   });
 }

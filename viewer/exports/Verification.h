@@ -29,6 +29,7 @@ class Verification : public QObject {
     reference::Certificate certificate;
     QImage picture;
     io::PngText proof;
+    io::PngText fidelity;  ///< see Fidelity.h
   };
 
   /// `session` gives the session as it stands. `window` is the dialogs' parent and owns this; all others outlive it.

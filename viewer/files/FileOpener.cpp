@@ -11,12 +11,13 @@
 #include "io/base/SessionName.h"
 #include "io/study/Interpret.h"
 #include "io/study/ReadStudy.h"
-#include "rendering/settings/LookStyle.h"
 #include "viewer/bars/NoticeBar.h"
+#include "viewer/bars/OfStudy.h"
 #include "viewer/dialogs/SeriesChooser.h"
 #include "viewer/dialogs/SpacingDialog.h"
 #include "viewer/files/Sessions.h"
 #include "viewer/model/Paths.h"
+#include "viewer/model/SettingOwners.h"
 #include "viewer/model/Workspace.h"
 #include "viewer/panels/FileDialog.h"
 
@@ -48,9 +49,17 @@ FileOpener::FileOpener(QWidget& window, Workspace& workspace, StudyLoader& loade
 StudyLoader::Reader FileOpener::readerOf(const io::DataRequest& data) const {
   io::StudyRequest request;
   static_cast<io::DataRequest&>(request) = data;
-  request.look = preferences_.startingLook(styleOf(document_.look()));
+  request.look = preferences_.startingLook({});
   request.projection = cameras_.projection();
-  return [request](const io::Progress& progress) { return io::readStudy(request, progress); };
+  return [request, chosen = chosenLook_](const io::Progress& progress) {
+    io::Study study = io::readStudy(request, progress);
+    if (chosen) startIn(study, *chosen);
+    return study;
+  };
+}
+
+void FileOpener::setChosenLook(const io::LookPreset* preset) {
+  chosenLook_ = preset ? std::optional(*preset) : std::nullopt;
 }
 
 void FileOpener::open(const std::vector<std::filesystem::path>& paths) {
@@ -62,7 +71,7 @@ void FileOpener::open(const std::vector<std::filesystem::path>& paths) {
   try {
     load(io::interpret(paths));
   } catch (const io::Error& error) {
-    notices_.add(NoticeBar::Kind::Error, QString::fromUtf8(error.what()));
+    notices_.addError(NoticeBar::Subject::Opening, QString::fromUtf8(error.what()));
   }
 }
 
@@ -118,6 +127,7 @@ void FileOpener::chooseLabels() {
 
 void FileOpener::chooseSeries() {
   SeriesChooser chooser(document_.study(), &window_);
+  markOfStudy(chooser);
   if (chooser.exec() != QDialog::Accepted) return;
   if (const std::optional<std::string> series = chooser.chosen()) openSeries(*series);
 }

@@ -2,12 +2,14 @@
 // Opens data as a user does it: from dialogs, dropped onto the window, or named together on the command line.
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include <QObject>
 #include <QPoint>
 
+#include "io/session/LookFile.h"
 #include "viewer/jobs/StudyLoader.h"
 
 class QMimeData;
@@ -38,6 +40,9 @@ class FileOpener : public QObject {
   /// coordinates, asks which.
   void drop(const std::vector<std::filesystem::path>& paths, QPoint at);
 
+  /// The preset of a whole look that studies start from; null: none.
+  void setChosenLook(const io::LookPreset* preset);
+
   void chooseFile();
   void chooseFolder();
   void chooseLabels();
@@ -47,7 +52,7 @@ class FileOpener : public QObject {
   void openSeries(const std::string& series);
   /// Reads data and shows them; asks for the size of voxels where the file does not say it.
   void load(const io::DataRequest& data);
-  /// Reads data, with the look of the open study and the user's own defaults.
+  /// Reads data, in the chosen look and with the user's own defaults; see SettingOwners.h.
   StudyLoader::Reader readerOf(const io::DataRequest& data) const;
 
   QWidget& window_;
@@ -57,6 +62,7 @@ class FileOpener : public QObject {
   StudyLoader& loader_;
   Sessions& sessions_;
   NoticeBar& notices_;
+  std::optional<io::LookPreset> chosenLook_;
 };
 
 /// The files that a drag brings.

@@ -24,9 +24,10 @@ constexpr int autosaveMilliseconds = 60000;
 
 FileKind sessionKind() { return {Sessions::tr("Sessions"), QLatin1String(io::sessionEnding)}; }
 
-SessionQuestions::Answer askToSave(QWidget* parent) {
+SessionQuestions::Answer askToSave(QWidget* parent, const QStringList& lost) {
   switch (QMessageBox::question(parent, Sessions::tr("Unsaved work"),
-                                Sessions::tr("The changes since the last save would be lost. Save them?"),
+                                Sessions::tr("These changes since the last save would be lost. Save them?") +
+                                    QStringLiteral("\n\n") + lost.join(QLatin1Char('\n')),
                                 QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, QMessageBox::Save)) {
     case QMessageBox::Save:
       return SessionQuestions::Answer::Save;
@@ -57,11 +58,15 @@ std::optional<fs::path> askForData(QWidget* parent, const io::DataMissing& missi
   return std::nullopt;
 }
 
-SessionQuestions::Answer askToRestore(QWidget* parent, const QDateTime& saved) {
-  QMessageBox box(QMessageBox::Question, Sessions::tr("Unsaved work"),
-                  Sessions::tr("Fenestra ended before the session was saved. A copy from %1 can be restored.")
-                      .arg(QLocale::system().toString(saved, QLocale::ShortFormat)),
-                  QMessageBox::NoButton, parent);
+SessionQuestions::Answer askToRestore(QWidget* parent, const QDateTime& saved, const QString& study) {
+  const QString when = QLocale::system().toString(saved, QLocale::ShortFormat);
+  QMessageBox box(
+      QMessageBox::Question, Sessions::tr("Unsaved work"),
+      study.isEmpty()
+          ? Sessions::tr("Fenestra ended before the session was saved. A copy from %1 can be restored.").arg(when)
+          : Sessions::tr("Fenestra ended before the work on %1 was saved. A copy from %2 can be restored.")
+                .arg(study, when),
+      QMessageBox::NoButton, parent);
   const QPushButton* restore = box.addButton(Sessions::tr("Restore"), QMessageBox::AcceptRole);
   const QPushButton* discard = box.addButton(Sessions::tr("Discard"), QMessageBox::DestructiveRole);
   box.addButton(Sessions::tr("Ask later"), QMessageBox::RejectRole);
@@ -69,6 +74,27 @@ SessionQuestions::Answer askToRestore(QWidget* parent, const QDateTime& saved) {
   return box.clickedButton() == restore   ? SessionQuestions::Answer::Save
          : box.clickedButton() == discard ? SessionQuestions::Answer::Discard
                                           : SessionQuestions::Answer::Cancel;
+}
+
+/// "Opening (3)", a line for each kind of step, in the order of the history.
+QStringList counted(const QStringList& steps) {
+  constexpr qsizetype most = 8;
+  QStringList kinds = steps, lines;
+  kinds.removeDuplicates();
+  for (const QString& kind : kinds.mid(0, most))
+    lines << (steps.count(kind) > 1 ? QStringLiteral("%1 (%2)").arg(kind).arg(steps.count(kind)) : kind);
+  if (kinds.size() > most) lines << Sessions::tr("%n more", nullptr, static_cast<int>(kinds.size() - most));
+  return lines;
+}
+
+/// What a copy's work was about: its session's file, or else its data; empty where neither has a name.
+QString studyOf(const fs::path& copy) try {
+  const io::Session session = io::readSession(copy);
+  if (!session.autosaveOf.empty()) return toQString(session.autosaveOf.filename());
+  if (session.phantom) return QString::fromStdString(session.phantom->name);
+  return toQString(session.volume.path.filename());
+} catch (const std::exception&) {
+  return {};  // opening it says what is wrong
 }
 
 /// A request whose region the user can change in the window.
@@ -81,7 +107,7 @@ io::StudyRequest editable(io::StudyRequest request) {
 
 SessionQuestions sessionDialogs(QWidget* parent) {
   return {
-      .saveChanges = [parent] { return askToSave(parent); },
+      .saveChanges = [parent](const QStringList& lost) { return askToSave(parent, lost); },
       .saveWhere = [parent](const fs::path& suggested) -> std::optional<fs::path> {
         const auto file =
             askForNewFile(parent, Sessions::tr("Save the session"), {sessionKind()}, toQString(suggested));
@@ -94,7 +120,8 @@ SessionQuestions sessionDialogs(QWidget* parent) {
                               {Sessions::tr("Open a session"), QStringLiteral("%1 (*%2)").arg(kind.name, kind.ending)});
           },
       .dataWhere = [parent](const io::DataMissing& missing) { return askForData(parent, missing); },
-      .restoreWork = [parent](const QDateTime& saved) { return askToRestore(parent, saved); },
+      .restoreWork = [parent](const QDateTime& saved,
+                              const QString& study) { return askToRestore(parent, saved, study); },
   };
 }
 
@@ -109,14 +136,20 @@ Sessions::Sessions(QWidget& window, Workspace& workspace, StudyLoader& loader, N
                   std::move(part)),
       questions_(sessionDialogs(&window)) {
   loader_.setMayReplaceLabels([this] { return workspace_.document.labelsAreInFile() || mayGo(); });
+  connect(&loader_.job(), &LoadJob::ended, this, [this] {
+    if (!loader_.job().isRunning()) discarded_.reset();
+  });
   connect(&controller_, &SessionController::changed, this, &Sessions::showTitle);
-  connect(&controller_, &SessionController::saved, this,
-          [this](const QString& file) { workspace_.preferences.addRecent(toPath(file)); });
+  connect(&controller_, &SessionController::saved, this, [this](const QString& file) {
+    notices_.end(NoticeBar::Subject::Saving);
+    workspace_.preferences.addRecent(toPath(file));
+  });
   connect(&controller_, &SessionController::failed, this,
-          [this](const QString& message) { notices_.add(NoticeBar::Kind::Error, message); });
+          [this](const QString& message) { notices_.addError(NoticeBar::Subject::Saving, message); });
 }
 
 void Sessions::studyShown() {
+  discarded_.reset();
   controller_.studyOpened();
   if (restoring_ && workspace_.document.study().isRecovered) controller_.adopt(*restoring_);
   restoring_.reset();
@@ -146,7 +179,7 @@ void Sessions::open(Request request, const fs::path& data, const fs::path& label
       [this, request, data, labels](const io::DataMissing& missing) {
         const std::optional<fs::path> there = questions_.dataWhere(missing);
         if (!there) {
-          notices_.add(NoticeBar::Kind::Error, QString::fromUtf8(missing.what()));
+          notices_.addError(NoticeBar::Subject::Opening, QString::fromUtf8(missing.what()));
           return;
         }
         const bool areLabels = missing.data() == io::DataMissing::Data::Labels;
@@ -155,10 +188,18 @@ void Sessions::open(Request request, const fs::path& data, const fs::path& label
 }
 
 void Sessions::regularise(io::Regularise choice) {
+  readAgain([choice](io::StudyRequest& request) { request.regularise = choice; });
+}
+
+void Sessions::setModality(std::optional<Modality> modality) {
+  readAgain([modality](io::StudyRequest& request) { request.session->volume.modality = modality; });
+}
+
+void Sessions::readAgain(const std::function<void(io::StudyRequest&)>& change) {
   if (!workspace_.document.labelsAreInFile()) {
-    notices_.add(
-        NoticeBar::Kind::Error,
-        tr("The labels that you kept are in no file yet, and reading the slices again would drop them. Save the "
+    notices_.addError(
+        NoticeBar::Subject::Saving,
+        tr("The labels that you kept are in no file yet, and reading the data again would drop them. Save the "
            "session first."));
     return;
   }
@@ -169,9 +210,9 @@ void Sessions::regularise(io::Regularise choice) {
   io::StudyRequest request;
   request.path = request.data = session.volume.path;
   request.labels = session.labels.path;
-  request.regularise = choice;
   request.isRecovered = unsaved;
   request.startFrom(std::move(session));
+  change(request);
   loader_.open([request = editable(std::move(request))](const io::Progress& progress) {
     return io::readStudy(request, progress);
   });
@@ -204,17 +245,30 @@ bool Sessions::saveAs() {
 bool Sessions::mayGo() {
   controller_.waitUntilSaved();
   if (!controller_.isModified()) return true;
-  switch (questions_.saveChanges()) {
+  const int step = workspace_.document.undoStack().index();
+  if (discarded_ == step && loader_.job().isRunning()) return true;
+  // Data that is being read waits for the answer, which is about the study that is open now.
+  struct Held {
+    LoadJob& job;
+    explicit Held(LoadJob& held) : job(held) { job.hold(); }
+    ~Held() { job.release(); }
+  } const held(loader_.job());
+  QStringList lost = counted(controller_.unsavedWork());
+  if (lost.isEmpty()) lost << tr("The restored work");
+  switch (questions_.saveChanges(lost)) {
     case SessionQuestions::Answer::Save:
       return save() && controller_.waitUntilSaved();
     case SessionQuestions::Answer::Discard:
       controller_.dropAutosave();
+      discarded_ = step;
       return true;
     case SessionQuestions::Answer::Cancel:
       break;
   }
   return false;
 }
+
+void Sessions::leave() { controller_.leaveCopy(); }
 
 void Sessions::setKeepsCopies(bool keeps) {
   keepsCopies_ = keeps;
@@ -229,7 +283,8 @@ bool Sessions::startRecovery(const fs::path& folder) {
   copiesFolder_ = folder;
   setKeepsCopies(keepsCopies_);
   for (const AbandonedSession& abandoned : SessionController::abandonedIn(folder)) {
-    switch (questions_.restoreWork(abandoned.saved)) {
+    const bool hides = workspace_.options.hidesPatient();
+    switch (questions_.restoreWork(abandoned.saved, hides ? QString() : studyOf(abandoned.file))) {
       case SessionQuestions::Answer::Save:
         restoring_ = abandoned;
         open([file = abandoned.file] {

@@ -23,7 +23,8 @@ struct Workspace;
 /// The questions to the user: dialogs, unless a test replaces them.
 struct SessionQuestions {
   enum class Answer : std::uint8_t { Save, Discard, Cancel };
-  std::function<Answer()> saveChanges;
+  /// `lost`: what would be lost, a line for each kind of step.
+  std::function<Answer(const QStringList& lost)> saveChanges;
   /// A file to save to, or none.
   std::function<std::optional<std::filesystem::path>(const std::filesystem::path& suggested)> saveWhere;
   /// A session to open, or none.
@@ -31,7 +32,8 @@ struct SessionQuestions {
   /// Where the data is that the session does not find, or none.
   std::function<std::optional<std::filesystem::path>(const io::DataMissing& missing)> dataWhere;
   /// What to do with work recovered after a crash: Save restores it, Discard removes it.
-  std::function<Answer(const QDateTime& saved)> restoreWork;
+  /// `study` names what was worked on; empty where that may name the patient, who is hidden.
+  std::function<Answer(const QDateTime& saved, const QString& study)> restoreWork;
 };
 SessionQuestions sessionDialogs(QWidget* parent);
 
@@ -53,6 +55,8 @@ class Sessions : public QObject {
   /// Reads the open study's slices again and places them in another way. The history is cleared; everything else stays
   /// as it is.
   void regularise(io::Regularise choice);
+  /// Reads it again as data of that kind; unset: as its file says.
+  void setModality(std::optional<Modality> modality);
   /// To be called when the window shows a new study. Restores the window from the study's session, if it has one.
   void studyShown();
   /// Asks for a session and opens it.
@@ -61,7 +65,10 @@ class Sessions : public QObject {
   bool save();
   bool saveAs();
   /// Whether the open study may be closed: it is saved, or the user saves it now or discards the changes.
+  /// While other data is read, what was discarded for it is not asked about again.
   bool mayGo();
+  /// The program is being ended and cannot ask: unsaved work is left behind as a copy, for the next start to offer.
+  void leave();
 
   /// Whether unsaved work is copied in case of a crash, once startRecovery() says where.
   void setKeepsCopies(bool keeps);
@@ -72,6 +79,8 @@ class Sessions : public QObject {
   static std::filesystem::path recoveryFolder();
 
  private:
+  /// Reads the open study's files again after `change`; everything else stays as it is.
+  void readAgain(const std::function<void(io::StudyRequest&)>& change);
   /// With the places of data that the user has named so far; empty: none.
   void open(Request request, const std::filesystem::path& data, const std::filesystem::path& labels);
   void showTitle();
@@ -85,6 +94,7 @@ class Sessions : public QObject {
   bool keepsCopies_ = true;
   SessionQuestions questions_;
   std::optional<AbandonedSession> restoring_;  ///< the copy being opened
+  std::optional<int> discarded_;  ///< where the history stood when its work was given up for data that is being read
 };
 
 }  // namespace fenestra::viewer

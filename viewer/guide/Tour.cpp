@@ -215,7 +215,11 @@ void Tour::doNext() {
       timer_.start(move.milliseconds);
       return;
     }
+    // What the tour does is no work of the user that could be lost.
+    QUndoStack& steps = workspace_.document.undoStack();
+    const bool nothingToLose = steps.isClean();
     move.act();
+    if (nothingToLose) steps.setClean();
     // The action may have ended the tour.
     if (!moves_.isEmpty()) moves_.removeFirst();
   }

@@ -1,6 +1,7 @@
 #include "viewer/jobs/LoadJob.h"
 
 #include <new>
+#include <utility>
 
 #include <QPromise>
 #include <QtConcurrentRun>
@@ -30,6 +31,7 @@ LoadJob::~LoadJob() {
 
 void LoadJob::start(Read read) {
   watcher_.cancel();
+  waits_ = false;
   running_ = true;
   Q_EMIT started();
   watcher_.setFuture(QtConcurrent::run(&backgroundThreads(), [read = std::move(read)](QPromise<Outcome>& promise) {
@@ -57,7 +59,22 @@ void LoadJob::start(Read read) {
 
 void LoadJob::cancel() { watcher_.cancel(); }
 
+void LoadJob::release() {
+  isHeld_ = false;
+  // From the event loop: whoever asked goes on first, and may start another job instead.
+  QMetaObject::invokeMethod(
+      this,
+      [this] {
+        if (!isHeld_ && std::exchange(waits_, false)) finish();
+      },
+      Qt::QueuedConnection);
+}
+
 void LoadJob::finish() {
+  if (isHeld_) {
+    waits_ = true;
+    return;
+  }
   const QFuture<Outcome> future = watcher_.future();
   if (!future.isCanceled() && future.resultCount() > 0) {
     const Outcome outcome = future.result();

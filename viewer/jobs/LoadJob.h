@@ -26,6 +26,9 @@ class LoadJob : public QObject {
 
   void start(Read read);
   void cancel();
+  /// Until release(), an outcome waits: neither shown nor reported. For questions about what a result would replace.
+  void hold() { isHeld_ = true; }
+  void release();
   /// From started() until just before ended().
   bool isRunning() const { return running_; }
 
@@ -47,6 +50,7 @@ class LoadJob : public QObject {
 
   QFutureWatcher<Outcome> watcher_;
   bool running_ = false;
+  bool isHeld_ = false, waits_ = false;  ///< waits_: an outcome waits for release()
 };
 
 }  // namespace fenestra::viewer

@@ -4,6 +4,7 @@
 #include <QLocale>
 
 #include "viewer/model/Document.h"
+#include "viewer/model/NumberText.h"
 
 namespace fenestra::viewer {
 namespace {
@@ -52,7 +53,7 @@ QStringList linesOf(const MeasureValues& values, const Volume& volume) {
   if (values.angle) lines << tr("%1°").arg(*values.angle, 0, 'f', 1);
   if (const auto& region = values.region) {
     const int decimals = volume.range.high - volume.range.low < 20.0 ? 3 : 1;
-    lines << tr("Mean %1 %2").arg(region->mean, 0, 'f', decimals).arg(QString::fromStdString(volume.unit)).trimmed()
+    lines << tr("Mean %1 %2").arg(region->mean, 0, 'f', decimals).arg(unitText(volume.unit)).trimmed()
           << tr("SD %1").arg(region->deviation, 0, 'f', decimals)
           << tr("%1 to %2").arg(valueText(region->least, volume.range), valueText(region->greatest, volume.range));
   }

@@ -8,11 +8,18 @@
 namespace fenestra::viewer {
 namespace {
 
-QString trimmed(const std::string& text) { return QString::fromStdString(text).simplified(); }
+/// Without what has no glyph: control characters, and bytes of a character set that the file does not name.
+QString readable(QString text) {
+  text.removeIf([](QChar each) { return !each.isSpace() && (!each.isPrint() || each == QChar::ReplacementCharacter); });
+  return text.simplified();
+}
+
+QString trimmed(const std::string& text) { return readable(QString::fromStdString(text)); }
 
 /// "Doe, Jane" of a person name's first group, "Doe^Jane^Middle^Dr^" (DICOM PS3.5 6.2.1).
 QString nameText(const std::string& name) {
-  const QStringList parts = QString::fromStdString(name).section(QLatin1Char('='), 0, 0).split(QLatin1Char('^'));
+  const QStringList parts =
+      readable(QString::fromStdString(name)).section(QLatin1Char('='), 0, 0).split(QLatin1Char('^'));
   const QString given = (parts.value(1) + QLatin1Char(' ') + parts.value(2)).simplified();
   const QString family = parts.value(0).simplified();
   return given.isEmpty() ? family : family.isEmpty() ? given : family + QStringLiteral(", ") + given;

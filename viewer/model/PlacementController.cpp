@@ -39,7 +39,10 @@ PlacementController::PlacementController(Document& document, ViewLink& cameras, 
   connect(&chosen_, &QTimer::timeout, this, &PlacementController::placeAutomatically);
   connect(&slice_, &QTimer::timeout, this, &PlacementController::slice);
   connect(&document, &Document::focusChanged, this, &PlacementController::focusChanged);
-  connect(&document, &Document::volumeChanged, this, [this] { visible_.reset(); });
+  connect(&document, &Document::volumeChanged, this, [this] {
+    visible_.reset();
+    stopRating();  // a point of the study before
+  });
   connect(&document, &Document::transferFunctionChanged, this, [this] { visible_.reset(); });
   picked_.setSingleShot(true);
   picked_.setInterval(settleMilliseconds);

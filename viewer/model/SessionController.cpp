@@ -15,6 +15,7 @@
 #include "viewer/model/Paths.h"
 #include "viewer/model/PlacementController.h"
 #include "viewer/model/SliceCursor.h"
+#include "viewer/model/UserWork.h"
 #include "viewer/model/ViewLink.h"
 #include "viewer/model/ViewOptions.h"
 
@@ -75,6 +76,7 @@ SessionController::SessionController(const Parts& parts, WindowPart window, QObj
     : QObject(parent), parts_(parts), window_(std::move(window)) {
   connect(&writing_, &QFutureWatcherBase::finished, this, &SessionController::finish);
   connect(&parts_.document.undoStack(), &QUndoStack::cleanChanged, this, &SessionController::changed);
+  connect(&parts_.document.undoStack(), &QUndoStack::indexChanged, this, &SessionController::changed);
   connect(&timer_, &QTimer::timeout, this, &SessionController::autosave);
 }
 
@@ -119,24 +121,40 @@ void SessionController::studyOpened() {
   parts_.cameras.setFrozen({study.view ? study.view->frozen : std::nullopt, std::nullopt});
   if (study.restoresSession) {
     const io::Session& session = study.session;
-    parts_.placement.setSettings(settingsFrom(session.placement, parts_.placement.settings()));
-    parts_.cameras.setLinked(session.linked);
+    if (!habits_) habits_ = this->session();
+    apply(session);
     parts_.cameras.setPose({{session.views[0].camera, session.views[1].camera}, session.home});
     parts_.cameras.setFrozen({session.views[0].frozen, session.views[1].frozen});
     if (session.crosshair) parts_.cursor.moveTo(*session.crosshair);
-    parts_.options.setCrosshair(session.overlays.crosshair);
-    parts_.options.setText(session.overlays.text);
-    parts_.options.setLabels(session.overlays.labels);
-    parts_.options.setMeasures(session.overlays.measures);
-    window_.restore(session);
     // The quality sphere shows what the cameras were chosen from; they stay.
     if (session.placement.automatic) parts_.placement.measureAlone();
+  } else if (habits_) {
+    apply(*std::exchange(habits_, std::nullopt));
   }
   Q_EMIT changed();
 }
 
+void SessionController::apply(const io::Session& session) {
+  parts_.placement.setSettings(settingsFrom(session.placement, parts_.placement.settings()));
+  parts_.cameras.setLinked(session.linked);
+  parts_.options.setCrosshair(session.overlays.crosshair);
+  parts_.options.setText(session.overlays.text);
+  parts_.options.setLabels(session.overlays.labels);
+  parts_.options.setMeasures(session.overlays.measures);
+  window_.restore(session);
+}
+
+QStringList SessionController::unsavedWork() const {
+  const QUndoStack& stack = parts_.document.undoStack();
+  const int clean = std::max(stack.cleanIndex(), 0);
+  QStringList work;
+  for (int step = std::min(clean, stack.index()); step < std::max(clean, stack.index()); ++step)
+    if (const QString name = stack.text(step); isWork(name, parts_.document.focus())) work << name;
+  return work;
+}
+
 bool SessionController::isModified() const {
-  return parts_.document.hasVolume() && (recovered_ || !parts_.document.undoStack().isClean());
+  return parts_.document.hasVolume() && (recovered_ || !unsavedWork().isEmpty());
 }
 
 void SessionController::save(const fs::path& file) {
@@ -268,6 +286,16 @@ void SessionController::adopt(const AbandonedSession& abandoned) {
 void SessionController::dropAutosave() {
   if (autosaveFile_.empty()) return;
   removeCopy(autosaveFile_);
+  autosaveFile_.clear();
+  copied_.reset();
+  lock_.reset();
+}
+
+void SessionController::leaveCopy() {
+  waitUntilSaved();
+  autosave();
+  writing_.waitForFinished();
+  if (!isModified()) return dropAutosave();
   autosaveFile_.clear();
   lock_.reset();
 }

@@ -12,6 +12,7 @@
 #include <QDateTime>
 #include <QFutureWatcher>
 #include <QObject>
+#include <QStringList>
 #include <QTimer>
 
 #include "io/session/Session.h"
@@ -60,7 +61,10 @@ class SessionController : public QObject {
 
   /// Where the session was opened from or saved to; empty before.
   const std::filesystem::path& file() const { return file_; }
-  /// There are steps since the last save.
+  /// The steps since the last save that a user would have to do again, by their names in the order of the history. What
+  /// one click does again is none: another camera, or a focus of one structure or one seed.
+  QStringList unsavedWork() const;
+  /// There is unsavedWork(), or the study is a copy that was never saved.
   bool isModified() const;
   /// Writes on another thread; saved() or failed() follows. One save at a time: a second waits for the first.
   void save(const std::filesystem::path& file);
@@ -79,6 +83,8 @@ class SessionController : public QObject {
   void adopt(const AbandonedSession& abandoned);
   /// Removes the present session's copy, because its contents were saved or discarded.
   void dropAutosave();
+  /// Copies unsaved work now and leaves the copy behind, as a crash does: the program is being ended and cannot ask.
+  void leaveCopy();
   /// Removes a copy and the labels beside it.
   static void removeCopy(const std::filesystem::path& file);
 
@@ -107,12 +113,16 @@ class SessionController : public QObject {
   /// The labels to be written beside `file`. The user's own files are never replaced.
   Labels labelsBeside(const std::filesystem::path& file, bool automatic) const;
   void finish();
+  /// Takes over what a session says of the window beside the study: cameras and overlays, or the overlays alone.
+  void apply(const io::Session& session);
 
   Parts parts_;
   WindowPart window_;
   std::filesystem::path file_;
   std::filesystem::path ownLabels_;  ///< the labels that belong to file_ alone; empty: none
-  bool recovered_ = false;           ///< the study came from a copy that was never saved
+  /// What a window was like before a session took it over; the next study without a session gets it back.
+  std::optional<io::Session> habits_;
+  bool recovered_ = false;  ///< the study came from a copy that was never saved
   bool savedWell_ = true;
 
   QFutureWatcher<Written> writing_;

@@ -7,6 +7,7 @@
 #include <QVBoxLayout>
 
 #include "rendering/scene/Lighting.h"
+#include "viewer/model/NumberText.h"
 #include "viewer/model/Translation.h"
 
 namespace fenestra::viewer {
@@ -77,7 +78,7 @@ void AppearancePanel::fitToVolume() {
   const double span = volume.isInHounsfieldUnits() ? 500.0 : 0.25 * (volume.range.high - volume.range.low);
   const double step = std::pow(10.0, std::floor(std::log10(std::max(span, 1e-9) / 200.0)));
   shift_->setRange(-std::ceil(span / step) * step, std::ceil(span / step) * step, step);
-  shift_->setSuffix(volume.unit.empty() ? QString() : QStringLiteral(" ") + QString::fromStdString(volume.unit));
+  shift_->setSuffix(unitSuffix(volume.unit));
 }
 
 void AppearancePanel::show() {

@@ -9,6 +9,7 @@
 #include <QVBoxLayout>
 
 #include "viewer/model/Document.h"
+#include "viewer/model/NumberText.h"
 #include "viewer/model/PlacementController.h"
 #include "viewer/model/SelectionBrush.h"
 #include "viewer/model/ViewLink.h"
@@ -74,6 +75,7 @@ FocusPanel::FocusPanel(Document& document, const PlacementController& placement,
   connect(&cameras, &ViewLink::changed, this, [this] {
     if (list_->isVisible()) list_->labels().refreshSeen();
   });
+  connect(&document, &Document::volumeChanged, filter_, &QLineEdit::clear);
   connect(&document, &Document::volumeChanged, this, &FocusPanel::showStudy);
   connect(&document, &Document::labelsChanged, this, &FocusPanel::showStudy);
   connect(&document, &Document::focusChanged, this, &FocusPanel::showFocus);
@@ -159,7 +161,7 @@ void FocusPanel::showStudy() {
   const double span = std::max(volume.range.high - volume.range.low, 1e-12);
   // Whole numbers for CT and other wide ranges, three significant digits for a narrow one.
   const int decimals = std::clamp(static_cast<int>(std::ceil(3.0 - std::log10(span))), 0, 9);
-  const QString suffix = volume.unit.empty() ? QString() : QStringLiteral(" ") + QString::fromStdString(volume.unit);
+  const QString suffix = unitSuffix(volume.unit);
   for (QDoubleSpinBox* box : {low_, high_}) {
     const QSignalBlocker quiet(box);
     box->setDecimals(decimals);

@@ -173,7 +173,9 @@ void PresetPicker::choose(int row) {
       const auto file = questions_.functionWhich();
       if (file) function = toQString(*file);
     }
-    if (!function.isEmpty()) document_.setPreset(toPath(function).string());
+    if (function.isEmpty()) return;
+    document_.setPreset(toPath(function).string());
+    Q_EMIT lookChosen(nullptr);
   });
   show();
 }
@@ -181,6 +183,7 @@ void PresetPicker::choose(int row) {
 void PresetPicker::apply(const LookLibrary::Entry& entry) {
   document_.edit(tr("Preset"), io::restyled(document_.study().scene, entry.preset));
   const std::string odd = io::mismatchOf(entry.preset, document_.scene().volume->unit);
+  Q_EMIT lookChosen(&entry.preset);
   if (!odd.empty()) Q_EMIT warned(QString::fromStdString(odd));
 }
 

@@ -72,6 +72,8 @@ class PresetPicker : public QWidget {
   void deletePreset();
 
  Q_SIGNALS:
+  /// The user has chosen one of the presets of whole looks, or (null) a transfer function alone.
+  void lookChosen(const io::LookPreset* preset);
   void failed(const QString& message);
   /// The chosen preset or file has a problem that does not keep it from being used.
   void warned(const QString& message);

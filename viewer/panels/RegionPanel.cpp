@@ -10,6 +10,7 @@
 #include "rendering/segmentation/LabelEdit.h"
 #include "rendering/segmentation/RegionGrowing.h"
 #include "viewer/model/Document.h"
+#include "viewer/model/NumberText.h"
 
 namespace fenestra::viewer {
 namespace {
@@ -119,8 +120,8 @@ void RegionPanel::showNumbers() {
   const segmentation::Growth& growth = *document_.growth();
   const int step = document_.regionStep();
   const double ml = growth.curve.volume[static_cast<std::size_t>(step)] / mm3PerMl;
-  size_->setText(document_.isWhole() ? tr("Region: %1 ml").arg(ml, 0, 'g', 4)
-                                     : tr("Region: %1 ml so far…").arg(ml, 0, 'g', 4));
+  size_->setText(document_.isWhole() ? tr("Region: %1").arg(volumeText(ml))
+                                     : tr("Region: %1 so far…").arg(volumeText(ml)));
   const QSignalBlocker quietSlider(slider_), quietBox(tolerance_);
   slider_->setValue(step);
   const std::string& unit = document_.scene().volume->unit;
@@ -129,7 +130,7 @@ void RegionPanel::showNumbers() {
   tolerance_->setSingleStep(growth.noise);
   tolerance_->setRange(
       0.0, std::max(growth.toleranceOf(segmentation::stepCount), document_.region()->tolerance.value_or(0.0)));
-  tolerance_->setSuffix(unit.empty() ? QString() : QStringLiteral(" ") + QString::fromStdString(unit));
+  tolerance_->setSuffix(unitSuffix(unit));
   tolerance_->setValue(document_.region()->tolerance.value_or(growth.toleranceOf(step)));
   automatic_->setChecked(!document_.region()->tolerance);
 }

@@ -12,6 +12,7 @@
 
 #include "io/TransferFunctionFile.h"
 #include "viewer/model/Document.h"
+#include "viewer/model/NumberText.h"
 #include "viewer/model/Translation.h"
 #include "viewer/panels/FileDialog.h"
 
@@ -133,7 +134,7 @@ void TransferFunctionEditor::fitToVolume() {
   // Four significant digits of the range, and tenths of a Hounsfield unit.
   value_->setDecimals(std::clamp(static_cast<int>(std::ceil(4.0 - std::log10(span))), 0, 9));
   value_->setSingleStep(std::pow(10.0, std::floor(std::log10(span)) - 2.0));
-  value_->setSuffix(volume.unit.empty() ? QString() : QStringLiteral(" ") + QString::fromStdString(volume.unit));
+  value_->setSuffix(unitSuffix(volume.unit));
   showNode();
 }
 

@@ -8,6 +8,7 @@
 #include <QPainterPath>
 
 #include "viewer/model/Document.h"
+#include "viewer/model/NumberText.h"
 #include "viewer/style/Overlay.h"
 
 namespace fenestra::viewer {
@@ -221,7 +222,7 @@ void TransferFunctionPlot::drawAxes(QPainter& painter) const {
     painter.drawText(QRectF(0.0, y - (opacity > 0.0 ? 0.5 : 0.9) * line, plot.left() - 4.0, line),
                      Qt::AlignRight | Qt::AlignVCenter, percentText(static_cast<int>(std::lround(100.0 * opacity))));
   }
-  const QString unit = QString::fromStdString(document_.scene().volume->unit);
+  const QString unit = unitText(document_.scene().volume->unit);
   const double below = plot.bottom() + 3.0;
   const double unitWidth = unit.isEmpty() ? 0.0 : metrics.horizontalAdvance(unit) + 6.0;
   painter.drawText(QRectF(rect().right() - unitWidth, below, unitWidth - 3.0, line), Qt::AlignRight | Qt::AlignTop,

@@ -156,10 +156,54 @@ void drawCorner(QPainter& painter, const QRectF& view, Qt::Alignment corner, con
   }
 }
 
+QRectF chipIn(const QRectF& view) {
+  return {view.left() + overlayMargin, view.top() + overlayMargin + 1.0, 15.0, 15.0};
+}
+
+void drawChip(QPainter& painter, const QRectF& view, const QColor& colour, const QString& symbol) {
+  const QRectF chip = chipIn(view);
+  painter.save();
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.setPen(QPen(rim, 1.0));
+  painter.setBrush(colour);
+  painter.drawRoundedRect(chip, 4.0, 4.0);
+  QFont font = painter.font();
+  font.setBold(true);
+  font.setPixelSize(13);
+  painter.setFont(font);
+  painter.setPen(QColor(16, 18, 22));
+  painter.drawText(chip, Qt::AlignCenter, symbol);
+  painter.restore();
+}
+
+QRectF besideChip(const QRectF& view) { return view.adjusted(chipRoom, 0.0, -chipRoom, 0.0); }
+
+void drawWaiting(QPainter& painter, const QRectF& view, const QString& text) {
+  const QFontMetricsF metrics(painter.font());
+  const QString shown = metrics.elidedText(text, Qt::ElideRight, view.width() - 6.0 * overlayMargin);
+  const QSizeF size(metrics.horizontalAdvance(shown) + 4.0 * overlayMargin, metrics.height() + overlayMargin);
+  const QRectF plate(
+      QPointF(view.center().x() - 0.5 * size.width(), view.bottom() - 5.0 * overlayMargin - size.height()), size);
+  painter.save();
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.setPen(Qt::NoPen);
+  painter.setBrush(QColor(60, 44, 8, 225));
+  painter.drawRoundedRect(plate, 5.0, 5.0);
+  painter.setPen(QColor(255, 214, 130));
+  painter.drawText(plate, Qt::AlignCenter, shown);
+  painter.restore();
+}
+
 void drawStudyText(QPainter& painter, const QRectF& view, const QStringList& lines, int above) {
+  // Text in the middle of a small view would cover what the view is for.
+  constexpr double most = 0.42;  // of the height
+  const double height = painter.fontMetrics().lineSpacing();
+  const auto room = static_cast<qsizetype>((most * view.height() - overlayMargin) / height) - above;
   QStringList shown(above);
-  for (const QString& line : lines)
-    shown << painter.fontMetrics().elidedText(line, Qt::ElideRight, static_cast<int>(0.5 * view.width()));
+  for (const QString& line : lines.mid(0, std::max<qsizetype>(room, 0)))
+    // No wider than a line of a corner, or it would be wrapped.
+    shown << painter.fontMetrics().elidedText(line, Qt::ElideRight,
+                                              static_cast<int>(0.5 * view.width() - overlayMargin) - 1);
   drawCorner(painter, view, Qt::AlignTop | Qt::AlignRight, shown, overlayGrey);
 }
 

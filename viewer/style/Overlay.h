@@ -34,8 +34,17 @@ bool fitsBesideLetter(const QPainter& painter, const QRectF& view, const QString
 /// goes on below. Where the line beside the letter would cover it, all stand a line further from the edge.
 void drawCorner(QPainter& painter, const QRectF& view, Qt::Alignment corner, const QStringList& lines,
                 const QColor& colour = Qt::white);
+/// The width that chipIn() takes of the top left corner.
+inline constexpr double chipRoom = 20.0;
+/// A chip in the top left corner of a view, beside the title: a coloured plate with one character.
+QRectF chipIn(const QRectF& view);
+void drawChip(QPainter& painter, const QRectF& view, const QColor& colour, const QString& symbol);
+/// The view without the chip's room, on both sides, so that its middle stays.
+QRectF besideChip(const QRectF& view);
+/// A plate at the bottom of the view with one line of text: what is awaited.
+void drawWaiting(QPainter& painter, const QRectF& view, const QString& text);
 /// Lines right-aligned in the top right corner, below `above` other lines and no wider than half the view; longer ones
-/// end in dots.
+/// end in dots, and those that would reach the middle are left out.
 void drawStudyText(QPainter& painter, const QRectF& view, const QStringList& lines, int above);
 /// Patient letters at the middle of the four edges; `right` and `down` are world directions.
 void drawEdgeLetters(QPainter& painter, const QRectF& view, glm::dvec3 right, glm::dvec3 down);

@@ -46,6 +46,11 @@ void ViewTools::refresh() {
   for (Tool* tool : tools_) tool->refresh();
 }
 
+void ViewTools::abandon() {
+  holder_ = nullptr;
+  leave();
+}
+
 Qt::CursorShape ViewTools::pointer(QPointF position) const {
   for (const Tool* tool : tools_)
     if (const auto shape = tool->pointer(position)) return *shape;

@@ -28,6 +28,8 @@ class ViewTools {
   bool key(const QKeyEvent& event);
   void leave();
   void refresh();
+  /// The tool that has the mouse loses it, and what it was about to do is not done.
+  void abandon();
 
   /// A tool has the mouse.
   bool isBusy() const { return holder_ != nullptr; }

@@ -8,6 +8,7 @@
 #include "rendering/Renderer.h"
 #include "rendering/gpu/GpuScene.h"
 #include "viewer/style/Overlay.h"
+#include "viewer/views/FidelityChip.h"
 #include "viewer/views/RenderProblem.h"
 #include "viewer/views/SliceView.h"
 #include "viewer/views/ViewArea.h"
@@ -57,6 +58,7 @@ void PictureMaker::start(const Request& request) {
     return;
   }
   picture_.fill(Qt::black);
+  fidelity_.clear();
   next_ = 0;
   timer_.start(0);
 }
@@ -103,6 +105,10 @@ void PictureMaker::advance() {
     painter.translate(place.topLeft());
     painter.setClipRect(QRectF(QPointF(0, 0), place.size()));
     view->draw(painter, request_.marks);
+    const std::vector<FidelityCause> causes = view->fidelity();
+    note(view->name(), causes);
+    if (request_.marks && request_.causes && view->showsText())
+      writeFidelity(painter, QRectF(QPointF(0, 0), place.size()), causes);
   }
   timer_.stop();
   Q_EMIT made(picture_);
@@ -114,11 +120,18 @@ void PictureMaker::paint(VolumeView& view, const std::vector<std::uint8_t>& pixe
   painter.fillRect(QRectF(place.topLeft() * request_.scale, size), toColour(view.shownScene().look.background));
   painter.drawImage((place.topLeft() * request_.scale).toPoint(),
                     QImage(pixels.data(), size.width(), size.height(), QImage::Format_RGBA8888_Premultiplied));
+  const std::vector<FidelityCause> causes = view.fidelityAtRest();
+  note(tr("C%1").arg(view.index() + 1), causes);
   if (!request_.marks) return;
   painter.scale(request_.scale, request_.scale);
   painter.translate(place.topLeft());
   painter.setClipRect(QRectF(QPointF(0, 0), place.size()));
-  view.drawMarks(painter, view_.camera);
+  view.drawMarks(painter, view_.camera, causes);
+  if (request_.causes && view.showsText()) writeFidelity(painter, QRectF(QPointF(0, 0), place.size()), causes);
+}
+
+void PictureMaker::note(const QString& view, const std::vector<FidelityCause>& causes) {
+  fidelity_ << view + QStringLiteral(": ") + linesOf(causes).join(QStringLiteral("; "));
 }
 
 }  // namespace fenestra::viewer

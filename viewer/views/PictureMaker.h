@@ -10,6 +10,7 @@
 #include <QTimer>
 
 #include "rendering/scene/View.h"
+#include "viewer/model/Fidelity.h"
 
 namespace fenestra {
 class Renderer;
@@ -31,9 +32,10 @@ class PictureMaker : public QObject {
   struct Request {
     std::vector<VolumeView*> volumes{};  ///< each drawn where it lies in the window, one beside the other
     std::vector<SliceView*> slices{};
-    double scale = 1.0;  ///< pixels of the picture for each device-independent pixel of the window
-    bool marks = true;   ///< crosshair, text, letters, cube and scale bar, as far as the window shows them
-    double turn = 0.0;   ///< radians that the cameras turn about their vertical axis
+    double scale = 1.0;   ///< pixels of the picture for each device-independent pixel of the window
+    bool marks = true;    ///< crosshair, text, letters, cube and scale bar, as far as the window shows them
+    bool causes = false;  ///< with marks and text: what makes each view less than exact, below its name
+    double turn = 0.0;    ///< radians that the cameras turn about their vertical axis
   };
   /// Size of the picture in device-independent pixels of the window, at a scale of 1.
   QSize sizeOf(const Request& request) const;
@@ -42,6 +44,8 @@ class PictureMaker : public QObject {
   void start(const Request& request);
   void cancel();
   bool isMaking() const { return timer_.isActive(); }
+  /// How faithful each view of the last picture is and why, a line each: "C1: altered; …". Complete when it is made().
+  QStringList fidelity() const { return fidelity_; }
 
  Q_SIGNALS:
   /// The picture of the present request: opaque, RGB.
@@ -55,6 +59,7 @@ class PictureMaker : public QObject {
   void begin(VolumeView& view);
   void paint(VolumeView& view, const std::vector<std::uint8_t>& pixels, QSize size);
   QRectF placeOf(const QWidget& view) const;
+  void note(const QString& view, const std::vector<FidelityCause>& causes);
 
   ViewArea& views_;
   Request request_;
@@ -63,6 +68,7 @@ class PictureMaker : public QObject {
   std::unique_ptr<Renderer> renderer_;  ///< draws the present view
   View view_;
   QTimer timer_;
+  QStringList fidelity_;
 };
 
 }  // namespace fenestra::viewer

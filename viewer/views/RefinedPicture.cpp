@@ -30,6 +30,12 @@ void RefinedPicture::drop() {
   refining_.reset();
 }
 
+void RefinedPicture::forget() {
+  drop();
+  for (Picture& picture : pictures_) picture.view = {};
+  full_.reset();
+}
+
 void RefinedPicture::show(const Refining& done) {
   shown_ = done.picture;
   pictures_[shown_].view = done.view;

@@ -25,6 +25,8 @@ class RefinedPicture {
   bool advance(double milliseconds);
   bool isRefining() const { return refining_.has_value(); }
   void drop();
+  /// No picture is shown until the next one is done. Needs no context.
+  void forget();
 
   /// The picture shown is at full quality and of this view, so that after a change only the change is drawn.
   bool showsFull(const View& view) const;

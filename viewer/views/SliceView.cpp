@@ -56,7 +56,7 @@ SliceView::SliceView(SlicePlane plane, Workspace& workspace, OpeningEdge& openin
   setAttribute(Qt::WA_OpaquePaintEvent);
   setObjectName(QStringLiteral("slice%1").arg(static_cast<int>(plane)));
 
-  connect(&document_, &Document::volumeChanged, this, &SliceView::readGeometry);
+  connect(&document_, &Document::volumeChanged, this, &SliceView::showVolume);
   connect(&document_, &Document::windowChanged, this, &SliceView::invalidate);
   connect(&document_, &Document::focusChanged, this, &SliceView::invalidate);
   connect(&document_, &Document::labelSettingsChanged, this, &SliceView::invalidate);
@@ -76,6 +76,8 @@ SliceView::SliceView(SlicePlane plane, Workspace& workspace, OpeningEdge& openin
     openingOutline_.reset();
     update();
   });
+  connect(&document_, &Document::focusChanged, this, [this] { setAwaits(awaits_); });
+  connect(&lateness_, &Lateness::changed, this, [this] { update(); });
   const auto showTools = [this] {
     setCursor(tools_.pointer(last_));
     update();
@@ -86,6 +88,21 @@ SliceView::SliceView(SlicePlane plane, Workspace& workspace, OpeningEdge& openin
 }
 
 SliceView::~SliceView() = default;
+
+void SliceView::setAwaits(bool awaits) {
+  awaits_ = awaits;
+  lateness_.setBehind(awaits_ || document_.awaitsGrowth());
+}
+
+void SliceView::showVolume() {
+  tools_.abandon();
+  toolTookPress_ = false;
+  beforeClick_.reset();
+  windowAtPress_ = document_.window();
+  pressed_ = last_;
+  dragging_ = true;  // so that a release that follows is no click
+  readGeometry();
+}
 
 void SliceView::readGeometry() {
   if (!document_.hasVolume()) return;

@@ -18,6 +18,8 @@
 #include "rendering/settings/Focus.h"
 #include "rendering/volume/LabelMap.h"
 #include "rendering/volume/Slice.h"
+#include "viewer/model/Fidelity.h"
+#include "viewer/model/Lateness.h"
 #include "viewer/tools/CarveTool.h"
 #include "viewer/tools/ClipTool.h"
 #include "viewer/tools/MeasureTool.h"
@@ -56,8 +58,15 @@ class SliceView : public QWidget {
 
   /// The edge of what C1's opening removes of the shown slice, in the widget; empty while C1 moves.
   QPainterPath openingEdge() const;
+  /// Something that the slices show has yet to be made of what was asked for.
+  void setAwaits(bool awaits);
+  /// What makes the view less than exact; see Fidelity.h.
+  std::vector<FidelityCause> fidelity() const;
   /// Draws the view as it is on screen; without `marks` only the picture with its tints and outlines.
   void draw(QPainter& painter, bool marks);
+  /// The plane's name, as the view's title shows it.
+  QString name() const;
+  bool showsText() const;  ///< in the corners
 
   QSize sizeHint() const override { return {320, 300}; }
   QSize minimumSizeHint() const override { return {120, 120}; }
@@ -76,6 +85,7 @@ class SliceView : public QWidget {
   void pickTakenBack();
 
  protected:
+  bool event(QEvent* event) override;
   void paintEvent(QPaintEvent* event) override;
   void mousePressEvent(QMouseEvent* event) override;
   void mouseMoveEvent(QMouseEvent* event) override;
@@ -86,6 +96,8 @@ class SliceView : public QWidget {
   void leaveEvent(QEvent* event) override;
 
  private:
+  /// Shows another volume from the beginning: neither a drag nor a click on the one before goes on.
+  void showVolume();
   void readGeometry();
   /// Drops the shown slice's data and images.
   void forgetSlice();
@@ -114,6 +126,7 @@ class SliceView : public QWidget {
   void drawSeeds(QPainter& painter) const;
   /// Marks the planes that were not scanned. Returns whether the shown slice is one.
   bool drawInterpolated(QPainter& painter, const QRectF& picture) const;
+  bool showsInterpolated() const;
 
   Document& document_;
   SliceCursor& cursor_;
@@ -159,7 +172,9 @@ class SliceView : public QWidget {
   MeasureTool measureTool_;
   ViewTools tools_;
   bool toolTookPress_ = false;
-  double wheel_ = 0.0;  ///< wheel angle that is not yet a whole notch, in eighths of a degree
+  bool awaits_ = false;  ///< see setAwaits()
+  Lateness lateness_;    ///< of what was asked for and does not show
+  double wheel_ = 0.0;   ///< wheel angle that is not yet a whole notch, in eighths of a degree
 };
 
 }  // namespace fenestra::viewer

@@ -3,14 +3,17 @@
 #include <algorithm>
 #include <cmath>
 
+#include <QHelpEvent>
 #include <QPainter>
 
 #include "viewer/model/Document.h"
+#include "viewer/model/NumberText.h"
 #include "viewer/model/PatientLines.h"
 #include "viewer/model/SliceCursor.h"
 #include "viewer/model/ViewOptions.h"
 #include "viewer/style/InterpolatedPlanes.h"
 #include "viewer/style/Overlay.h"
+#include "viewer/views/FidelityChip.h"
 #include "viewer/views/SliceView.h"
 
 namespace fenestra::viewer {
@@ -44,14 +47,38 @@ void SliceView::draw(QPainter& painter, bool marks) {
   if (marks) drawMarks(painter, interpolated);
 }
 
+QString SliceView::name() const { return planeName(geometry_.plane); }
+
+bool SliceView::showsText() const { return options_.text(); }
+
+std::vector<FidelityCause> SliceView::fidelity() const {
+  return fidelityOf(document_.study(), document_.scene(),
+                    {.is3D = false, .isCurrent = !lateness_.isLate(), .isInterpolated = showsInterpolated()});
+}
+
+bool SliceView::showsInterpolated() const {
+  const std::optional<io::GeometryReport>& report = document_.study().geometry;
+  return report && isInterpolated(report->interpolatedPlanes, document_.scene().volume->grid, geometry_, slice_);
+}
+
+bool SliceView::event(QEvent* event) {
+  if (event->type() == QEvent::ToolTip && document_.hasVolume()) {
+    const auto& help = static_cast<QHelpEvent&>(*event);
+    if (showFidelity(help, *this, fidelity())) return true;
+  }
+  return QWidget::event(event);
+}
+
 void SliceView::drawMarks(QPainter& painter, bool interpolated) const {
   if (options_.labels()) drawSeeds(painter);
   if (options_.crosshair()) drawCrosshair(painter);
   const QRectF view = rect();
+  drawFidelity(painter, view, fidelity());
+  if (lateness_.isLate()) drawWaiting(painter, view, tr("Not yet as asked for"));
   tools_.draw(painter, view);
   drawEdgeLetters(painter, view, geometry_.right, geometry_.down);
   drawScaleBar(painter, view, 1.0 / pixelsPerMm());
-  QStringList title{planeName(geometry_.plane)};
+  QStringList title{name()};
   if (interpolated) title << tr("Interpolated, not scanned");
   if (options_.text()) {
     title << tr("%1 / %2").arg(slice_ + 1).arg(geometry_.count).replace(QLatin1Char(' '), QChar(QChar::Nbsp));
@@ -64,7 +91,7 @@ void SliceView::drawMarks(QPainter& painter, bool interpolated) const {
         title << convention;
     }
   }
-  drawCorner(painter, view, Qt::AlignTop | Qt::AlignLeft, title, planeColour(geometry_.plane));
+  drawCorner(painter, besideChip(view), Qt::AlignTop | Qt::AlignLeft, title, planeColour(geometry_.plane));
 }
 
 void SliceView::drawOutlines(QPainter& painter) const {
@@ -99,8 +126,7 @@ QStringList SliceView::windowText(const QFontMetrics& metrics) const {
   const WindowLevel window = document_.window();
   const int decimals = window.width < 10.0 ? 2 : 0;
   QString level = tr("L %1").arg(window.level, 0, 'f', decimals);
-  if (const std::string& unit = document_.scene().volume->unit; !unit.empty())
-    level += QLatin1Char(' ') + QString::fromStdString(unit);
+  if (const std::string& unit = document_.scene().volume->unit; !unit.empty()) level += unitSuffix(unit);
   QStringList parts{tr("W %1").arg(window.width, 0, 'f', decimals), level};
   if (document_.isInverted()) parts << tr("inverted");
   // The letter of the patient's side stands in the middle of the edge.
@@ -117,7 +143,7 @@ bool SliceView::drawInterpolated(QPainter& painter, const QRectF& picture) const
   widgetFromPixel.scale(picture.width() / geometry_.width, picture.height() / geometry_.height);
   drawInterpolatedBands(painter, interpolatedBands(report->interpolatedPlanes, grid, geometry_, slice_),
                         widgetFromPixel);
-  return isInterpolated(report->interpolatedPlanes, grid, geometry_, slice_);
+  return showsInterpolated();
 }
 
 void SliceView::drawCrosshair(QPainter& painter) const {

@@ -63,6 +63,7 @@ void ViewArea::addVolumeViews(Workspace& workspace, const GlSupport& gl, const C
     connect(view, &VolumeView::failed, this, &ViewArea::failed);
     connect(view, &VolumeView::reduced, this, &ViewArea::reduced);
     connect(view, &VolumeView::drawn, this, &ViewArea::drawn);
+    connect(&view->lateness(), &Lateness::changed, this, &ViewArea::lateChanged);
     connect(view, &VolumeView::raysStarted, &opening_, &OpeningEdge::set);
     upper_->addWidget(view);
     volumes_.push_back(view);
@@ -107,6 +108,21 @@ void ViewArea::warmUp(const Focus& expected) {
 bool ViewArea::isSettled() const {
   return std::all_of(volumes_.begin(), volumes_.end(),
                      [](const VolumeView* view) { return !view->isVisible() || view->isSettled(); });
+}
+
+bool ViewArea::isPreparing() const {
+  return std::any_of(volumes_.begin(), volumes_.end(),
+                     [](const VolumeView* view) { return view->lateness().isLate() && !view->awaitsOthers(); });
+}
+
+void ViewArea::takeBackWhatIsAwaited() {
+  for (VolumeView* view : volumes_)
+    if (view->lateness().isLate()) view->takeBackWhatIsAwaited();
+}
+
+void ViewArea::setAwaits(bool awaits) {
+  for (VolumeView* view : volumes_) view->setAwaits(awaits);
+  for (SliceView* view : slices_) view->setAwaits(awaits);
 }
 
 void ViewArea::toggleMaximised(QWidget* view) {

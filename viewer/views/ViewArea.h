@@ -38,6 +38,12 @@ class ViewArea : public QWidget {
   void warmUp(const Focus& expected);
   /// Every visible view shows the scene at full quality.
   bool isSettled() const;
+  /// A 3-D view does not show what was asked for since a moment, because its picture is being prepared.
+  bool isPreparing() const;
+  /// Takes back what was asked for since the views last showed it.
+  void takeBackWhatIsAwaited();
+  /// All views show what was before, until something else than their pictures is made.
+  void setAwaits(bool awaits);
 
   /// Gives the whole area to one view; when one has it already, shows all views again.
   void toggleMaximised(QWidget* view);
@@ -70,6 +76,8 @@ class ViewArea : public QWidget {
   /// See VolumeView.
   void reduced(const QString& notice);
   void atRestChanged();
+  /// See Lateness, of any 3-D view.
+  void lateChanged();
   /// A 3-D view has a new picture on screen.
   void drawn();
 

@@ -74,11 +74,10 @@ VolumeView::VolumeView(int index, Workspace& workspace, Shared shared, QWidget* 
 }
 
 void VolumeView::followScene() {
-  connect(&document_, &Document::volumeChanged, this, [this] {
-    problem_.clear();  // another volume may fit where the last one did not
-    shared_.preparation->forgetFailure();
-    reduction_.clear();
-  });
+  connect(&lateness_, &Lateness::changed, this, &VolumeView::repaintSurface);
+  connect(&document_, &Document::volumeChanged, this, &VolumeView::forgetStudy);
+  // A region that is being grown leaves the scene as it is.
+  connect(&document_, &Document::focusChanged, this, &VolumeView::checkLate);
   connect(&document_, &Document::sceneChanged, this, [this] {
     disturb(ViewLink::count);
     if (!isPreparedDue_) prepare();
@@ -119,6 +118,7 @@ void VolumeView::drawPrepared() {
   due_ = Due::Motion;
   rest_.start(restMilliseconds);
   askToDraw();
+  becomeOld();
 }
 
 VolumeView::~VolumeView() {
@@ -144,10 +144,11 @@ void VolumeView::disturb(int views) {
   moving_ = views;
   rest_.start(restMilliseconds);
   askToDraw();
+  becomeOld();
 }
 
 void VolumeView::prepare() {
-  if (!problem_.isEmpty() || !document_.hasVolume() || !isVisible() || !picture_ || !picture_->isShown()) return;
+  if (!problem_.isEmpty() || !document_.hasVolume() || !isVisible() || !picture_) return;
   attempt([this] { shared_.preparation->isReady(shownScene(), viewFor(motion())); });
 }
 
@@ -165,6 +166,7 @@ void VolumeView::follow() {
   settled_ = false;
   due_ = Due::Motion;
   rest_.start(restMilliseconds);
+  becomeOld();
 }
 
 void VolumeView::redraw() { disturb(ViewLink::count); }
@@ -229,6 +231,8 @@ void VolumeView::refine() {
 
 void VolumeView::refined(Effort effort) {
   isUnpainted_ = true;
+  isOld_ = false;
+  checkLate();
   FramePacer& pacer = *shared_.pacer;
   pacer.refined(effort, refinedFor_, !compiled_);
   if (effort != pacer.atRest()) {
@@ -253,6 +257,7 @@ void VolumeView::refresh() {
   due_ = Due::Strokes;
   moving_ = 1;
   askToDraw();
+  becomeOld();
 }
 
 void VolumeView::moveWalls() {
@@ -384,6 +389,8 @@ bool VolumeView::drawDue(const Scene& scene) {
   isNew_ = true;
   isUnpainted_ = true;
   if (settled_) attemptOnPicture([this] { reportStarts(); });
+  isOld_ = false;
+  checkLate();
   return true;
 }
 

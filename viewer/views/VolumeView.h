@@ -10,6 +10,9 @@
 // Left drag: rotate, unless a tool takes it; left click: crosshair and focus to what is seen, see clickStructure();
 // middle: pan; right drag or wheel: zoom; arrows: turn by steps. The tools: BrushTool, CarveTool, SelectionTool,
 // ToleranceWheel, ClipTool, WallTool. Strokes that begin while another thread has the context wait until it is free.
+//
+// Another volume blanks the view at once, and a line says what is awaited until its first picture is there. A picture
+// that has not been what was asked for since a moment is marked.
 
 #include <functional>
 #include <memory>
@@ -23,7 +26,10 @@
 #include "rendering/scene/Opening.h"
 #include "rendering/scene/Scene.h"
 #include "rendering/scene/View.h"
+#include "viewer/model/Fidelity.h"
 #include "viewer/model/FramePacer.h"
+#include "viewer/model/Lateness.h"
+#include "viewer/model/ViewLink.h"
 #include "viewer/tools/BrushTool.h"
 #include "viewer/tools/CarveTool.h"
 #include "viewer/tools/ClipTool.h"
@@ -48,7 +54,6 @@ class PictureSurface;
 class RefinedPicture;
 class ScenePreparation;
 class SliceCursor;
-class ViewLink;
 class ViewOptions;
 struct Workspace;
 
@@ -88,6 +93,8 @@ class VolumeView : public QWidget {
   View restView() const { return viewFor(shared_.pacer->atRest()); }
   /// Why the view cannot draw; empty when it can.
   const QString& problem() const { return problem_; }
+  /// The last notice of reduced().
+  const QString& reduction() const { return reduction_; }
   /// The camera of the picture. In a view that is taller than wide its field of view is wider, so that the volume fits.
   Camera shownCamera() const;
   std::optional<QPointF> widgetFromWorld(glm::dvec3 world) const;
@@ -100,8 +107,25 @@ class VolumeView : public QWidget {
   QImage grabSurface();
   /// The scene as this view shows it.
   Scene shownScene() const;
-  /// Draws what lies over the picture of `camera`: mark of the crosshair, corner text, orientation cube, scale bar.
-  void drawMarks(QPainter& painter, const Camera& camera) const;
+  /// Draws what lies over the picture of `camera`: mark of the crosshair, corner text, orientation cube, scale bar. The
+  /// chip has the grade of `causes`.
+  void drawMarks(QPainter& painter, const Camera& camera, const std::vector<FidelityCause>& causes) const;
+  /// What makes the picture on screen less than exact; that of a picture at rest; see Fidelity.h.
+  std::vector<FidelityCause> fidelity() const;
+  std::vector<FidelityCause> fidelityAtRest() const;
+  bool showsText() const;  ///< in the corners
+  /// Notes what a certificate states of the picture on screen. It holds until the picture changes.
+  void noteVerified(const QString& statement);
+  /// The picture on screen is of the open study.
+  bool hasPicture() const;
+  /// What was asked for and does not show.
+  const Lateness& lateness() const { return lateness_; }
+  /// Something else than the picture has yet to be made of what was asked for.
+  void setAwaits(bool awaits);
+  /// What the view waits for is made by others than its renderer: a region, a label.
+  bool awaitsOthers() const;
+  /// Takes back what was asked for since the view last showed it.
+  void takeBackWhatIsAwaited();
   const BrushTool& brushTool() const { return brushTool_; }
   const ClipTool& clipTool() const { return clipTool_; }
   const WallTool& wallTool() const { return wallTool_; }
@@ -129,6 +153,7 @@ class VolumeView : public QWidget {
   void maximiseRequested();
 
  protected:
+  bool event(QEvent* event) override;
   void mousePressEvent(QMouseEvent* event) override;
   void mouseMoveEvent(QMouseEvent* event) override;
   void mouseReleaseEvent(QMouseEvent* event) override;
@@ -143,6 +168,14 @@ class VolumeView : public QWidget {
  private:
   /// Connects what changes the scene and the cameras.
   void followScene();
+  /// Shows nothing of the study before.
+  void forgetStudy();
+  /// The picture is not of what was asked for.
+  bool isBehind() const;
+  /// To be called whenever isBehind() may have changed.
+  void checkLate();
+  void becomeOld();
+  PictureState pictureState() const;
   void contextFreed();
   void drawPrepared();
   /// Draws a changing scene; `views` 3-D views draw with each change.
@@ -266,9 +299,16 @@ class VolumeView : public QWidget {
   /// the views from drawing.
   bool isPreparedDue_ = false;
   bool startsDue_ = true;  ///< raysStarted() is to be reported
-  bool settled_ = false;   ///< the last picture shows the present scene at full quality
-  QTimer rest_;            ///< fires a moment after the last change
-  QTimer refining_;        ///< fires between slices of refinement
+  QString verified_;       ///< see noteVerified()
+  Lateness lateness_;
+  bool isOld_ = false;   ///< the picture is of an earlier scene or camera
+  bool awaits_ = false;  ///< see setAwaits()
+  /// Where the history and the frozen openings stood when the view last showed what was asked for.
+  int shownStep_ = 0;
+  ViewLink::Frozen shownFrozen_;
+  bool settled_ = false;  ///< the last picture shows the present scene at full quality
+  QTimer rest_;           ///< fires a moment after the last change
+  QTimer refining_;       ///< fires between slices of refinement
 
   QTimer hover_;  ///< fires a moment after the mouse has stopped
 

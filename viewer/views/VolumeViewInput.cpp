@@ -6,6 +6,7 @@
 
 #include <glm/gtc/constants.hpp>
 
+#include <QHelpEvent>
 #include <QMouseEvent>
 #include <QWheelEvent>
 
@@ -16,6 +17,7 @@
 #include "viewer/model/StructureClick.h"
 #include "viewer/model/ViewLink.h"
 #include "viewer/model/ViewOptions.h"
+#include "viewer/views/FidelityChip.h"
 #include "viewer/views/RefinedPicture.h"
 #include "viewer/views/ScenePreparation.h"
 #include "viewer/views/VolumeView.h"
@@ -118,8 +120,7 @@ void VolumeView::followTools() {
     repaintSurface();
   });
   connect(&shared_.preparation->glContext(), &GlContext::freed, this, &VolumeView::replay);
-  // A stroke was not meant for another volume, nor for another place of the camera.
-  connect(&document_, &Document::volumeChanged, this, [this] { waiting_.clear(); });
+  // A stroke was not meant for another place of the camera.
   connect(&cameras_, &ViewLink::changed, this, [this](int view) {
     if (view == index_) waiting_.clear();
   });
@@ -200,6 +201,14 @@ void VolumeView::keyPressEvent(QKeyEvent* event) {
   }
   shared_.pacer->lead(index_);
   if (document_.hasVolume()) cameras_.orbit(index_, yaw, pitch);
+}
+
+bool VolumeView::event(QEvent* event) {
+  if (event->type() == QEvent::ToolTip && document_.hasVolume()) {
+    const auto& help = static_cast<QHelpEvent&>(*event);
+    if (showFidelity(help, *this, fidelity())) return true;
+  }
+  return QWidget::event(event);
 }
 
 void VolumeView::leaveEvent(QEvent*) {

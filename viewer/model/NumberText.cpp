@@ -1,0 +1,45 @@
+#include "viewer/model/NumberText.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <QCoreApplication>
+
+namespace fenestra::viewer {
+namespace {
+
+QString tr(const char* text) { return QCoreApplication::translate("Number", text); }
+
+/// Three digits at least; all before the point, in groups of three.
+QString digits(double value) {
+  const int decimals = value > 0.0 ? std::clamp(2 - static_cast<int>(std::floor(std::log10(value))), 0, 4) : 0;
+  QString text = QString::number(value, 'f', decimals);
+  qsizetype point = text.indexOf(QLatin1Char('.'));
+  if (point < 0) point = text.size();
+  for (qsizetype at = point - 3; at > 0; at -= 3) text.insert(at, QChar(QChar::Nbsp));
+  return text;
+}
+
+}  // namespace
+
+QString volumeText(double ml) {
+  constexpr double perLitre = 1000.0, mostMl = 10.0 * perLitre;
+  return ml < mostMl ? tr("%1 ml").arg(digits(ml)) : tr("%1 l").arg(digits(ml / perLitre));
+}
+
+QString unitText(const std::string& unit) {
+  const QString text = QString::fromStdString(unit).simplified();
+  // "Hounsfield Units", and as some programs spell it.
+  if (text.startsWith(QLatin1String("hounsfield"), Qt::CaseInsensitive) ||
+      text.startsWith(QLatin1String("houndsfield"), Qt::CaseInsensitive))
+    return QStringLiteral("HU");
+  constexpr qsizetype most = 10;
+  return text.size() > most ? text.left(most - 1) + QChar(0x2026) : text;
+}
+
+QString unitSuffix(const std::string& unit) {
+  const QString text = unitText(unit);
+  return text.isEmpty() ? text : QLatin1Char(' ') + text;
+}
+
+}  // namespace fenestra::viewer
