@@ -45,23 +45,10 @@ TEST(Architecture, IncludesFollowTheRule) {
   EXPECT_EQ(joined(cycleIn(edges), " → "), "");
 }
 
-/// Folders whose files still use each other in a circle. A folder whose last cycle is gone leaves the list.
-const std::set<std::string> foldersWithCycles{"viewer/model"};
-
 TEST(Architecture, FilesHaveNoCycle) {
-  const auto folderOf = [](const std::string& path) { return path.substr(0, path.rfind('/')); };
-  std::map<std::string, std::vector<Edge>> within;
-  std::vector<Edge> others;
   const std::vector<Edge> edges = fileEdges(productSources(codeEndings));
   EXPECT_GT(edges.size(), 1000u) << "the sources were not found";
-  for (const Edge& edge : edges) {
-    const std::string folder = folderOf(edge.from);
-    const bool isExcepted = folder == folderOf(edge.to) && foldersWithCycles.contains(folder);
-    (isExcepted ? within[folder] : others).push_back(edge);
-  }
-  EXPECT_EQ(joined(cycleIn(others), " → "), "");
-  for (const std::string& folder : foldersWithCycles)
-    EXPECT_FALSE(cycleIn(within[folder]).empty()) << folder << " has no cycle any more: take it off the list";
+  EXPECT_EQ(joined(cycleIn(edges), " → "), "");
 }
 
 TEST(Architecture, LinkLinesFollowTheRule) {

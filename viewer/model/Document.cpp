@@ -1,9 +1,10 @@
-#include "viewer/model/DocumentChanges.h"
+#include "viewer/model/Document.h"
 
 #include <algorithm>
 #include <utility>
 
 #include "io/TransferFunctionFile.h"
+#include "viewer/model/DocumentChanges.h"
 
 namespace fenestra::viewer {
 namespace {
@@ -65,7 +66,7 @@ void Document::show(Look look) {
 void Document::edit(const QString& name, Look look) {
   Look before = this->look();
   show(std::move(look));
-  history_.push(name, std::make_shared<LookChange>(*this, std::move(before), this->look()));
+  history_.push(name, std::make_shared<LookChange>(parts(), std::move(before), this->look()));
 }
 
 void Document::noteContents(const io::Session& session) {
@@ -104,7 +105,7 @@ void Document::showLabels(std::shared_ptr<const LabelMap> labels, std::uint64_t 
 void Document::editLabels(const QString& name, segmentation::LabelEdit edit, std::shared_ptr<const LabelMap> after,
                           Focus focus) {
   const LabelsChange::State before{labelsRevision_, this->focus()}, now{++lastRevision_, std::move(focus)};
-  auto change = std::make_shared<LabelsChange>(*this, std::move(edit), before, now);
+  auto change = std::make_shared<LabelsChange>(parts(), std::move(edit), before, now);
   if (change->isNothing()) return;
   showLabels(std::move(after), now.revision, now.focus);
   history_.push(name, std::move(change));
@@ -339,7 +340,7 @@ void Document::showMeasures(std::vector<Measure> measures) {
 void Document::setMeasures(std::vector<Measure> measures, const QString& name) {
   std::vector<Measure> before = measures_;
   showMeasures(std::move(measures));
-  history_.push(name, std::make_shared<MeasuresChange>(*this, std::move(before), measures_));
+  history_.push(name, std::make_shared<MeasuresChange>(parts(), std::move(before), measures_));
 }
 
 std::optional<glm::ivec3> Document::voxelAt(glm::dvec3 world) const {

@@ -14,11 +14,12 @@
 #include "io/study/Study.h"
 #include "rendering/segmentation/LabelEdit.h"
 #include "rendering/volume/SliceMeasure.h"
+#include "viewer/model/DocumentParts.h"
 #include "viewer/model/History.h"
 
 namespace fenestra::viewer {
 
-class Document : public QObject {
+class Document : public QObject, private DocumentParts {
   Q_OBJECT
  public:
   using QObject::QObject;
@@ -49,7 +50,7 @@ class Document : public QObject {
   QString description() const;
 
   /// What the user edits: undo and redo change it, and a session keeps it.
-  const Look& look() const { return study_.scene.look; }
+  const Look& look() const override { return study_.scene.look; }
   /// Changes the look as one step, named as the Edit menu shows it ("Undo NAME"). All setters below that change the
   /// look call this; window and level, crosshair and how a view is turned by hand are no steps.
   void edit(const QString& name, Look look);
@@ -134,7 +135,7 @@ class Document : public QObject {
   void setMeasures(std::vector<Measure> measures, const QString& name);
 
   /// The study's labels; null without any.
-  const std::shared_ptr<const LabelMap>& labels() const { return study_.scene.labels; }
+  const std::shared_ptr<const LabelMap>& labels() const override { return study_.scene.labels; }
   /// The label of the nearest voxel; null for background, outside and without labels.
   const Label* labelAt(glm::dvec3 world) const;
   /// The nearest voxel's index, or empty outside the volume.
@@ -161,17 +162,14 @@ class Document : public QObject {
   void sceneChanged();
 
  private:
-  class LookChange;
-  class LabelsChange;
-  class MeasuresChange;
   struct Grown {
     RegionFocus seeds;
     std::shared_ptr<const segmentation::Growth> growth;
   };
-  /// Shows a look and reports what differs from the one before.
-  void show(Look look);
-  void showLabels(std::shared_ptr<const LabelMap> labels, std::uint64_t revision, Focus focus);
-  void showMeasures(std::vector<Measure> measures);
+  DocumentParts& parts() { return *this; }
+  void show(Look look) override;
+  void showLabels(std::shared_ptr<const LabelMap> labels, std::uint64_t revision, Focus focus) override;
+  void showMeasures(std::vector<Measure> measures) override;
   /// Brings the scene that is drawn up to date with the one that is set.
   void updateDrawn();
 

@@ -4,14 +4,16 @@
 #include <cstdint>
 #include <vector>
 
-#include "viewer/model/Document.h"
+#include "rendering/segmentation/LabelEdit.h"
+#include "viewer/model/DocumentParts.h"
+#include "viewer/model/History.h"
 
 namespace fenestra::viewer {
 
 /// From one look to another. Strokes that both looks begin or end with are left out.
-class Document::LookChange : public Change {
+class LookChange : public Change {
  public:
-  LookChange(Document& document, Look before, Look after);
+  LookChange(DocumentParts& parts, Look before, Look after);
 
   void undo() override;
   void redo() override;
@@ -24,19 +26,19 @@ class Document::LookChange : public Change {
   /// `whole`, which is `from` with all its strokes, as `to`.
   Look replaced(const Look& whole, const Look& from, const Look& to) const;
 
-  Document& document_;
+  DocumentParts& parts_;
   Look before_, after_;
   std::size_t firstStroke_ = 0;  ///< place of the first that differs
 };
 
 /// From one label map to another, and from one focus to another.
-class Document::LabelsChange : public Change {
+class LabelsChange : public Change {
  public:
   struct State {
     std::uint64_t revision;
     Focus focus;
   };
-  LabelsChange(Document& document, segmentation::LabelEdit edit, State before, State after);
+  LabelsChange(DocumentParts& parts, segmentation::LabelEdit edit, State before, State after);
 
   void undo() override;
   void redo() override;
@@ -45,15 +47,15 @@ class Document::LabelsChange : public Change {
   std::size_t bytes() const override;
 
  private:
-  Document& document_;
+  DocumentParts& parts_;
   segmentation::LabelEdit edit_;
   State before_, after_;
 };
 
 /// From one list of measures to another.
-class Document::MeasuresChange : public Change {
+class MeasuresChange : public Change {
  public:
-  MeasuresChange(Document& document, std::vector<Measure> before, std::vector<Measure> after);
+  MeasuresChange(DocumentParts& parts, std::vector<Measure> before, std::vector<Measure> after);
 
   void undo() override;
   void redo() override;
@@ -62,7 +64,7 @@ class Document::MeasuresChange : public Change {
   std::size_t bytes() const override;
 
  private:
-  Document& document_;
+  DocumentParts& parts_;
   std::vector<Measure> before_, after_;
 };
 
