@@ -1,7 +1,10 @@
 // What shows and is not what was asked for is marked after 0.3 s, with a way to take it back, while the window answers.
 
+#include <QApplication>
+#include <QHelpEvent>
 #include <QPushButton>
 #include <QTest>
+#include <QToolTip>
 
 #include "tests/gui/FailingDriver.h"
 #include "tests/gui/WindowFixture.h"
@@ -78,6 +81,17 @@ TEST_F(BusyWindow, AMovingPictureIsADraft) {
   EXPECT_TRUE(linesOf(volume(0)->fidelity()).join(QLatin1Char('\n')).contains(QStringLiteral("draft while")));
   waitUntilDrawn();
   EXPECT_FALSE(linesOf(volume(0)->fidelity()).join(QLatin1Char('\n')).contains(QStringLiteral("draft while")));
+}
+
+TEST_F(BusyWindow, PointingAtTheChipSaysWhy) {
+  const auto pointAt = [](QWidget* view, QPoint at) {
+    QHelpEvent help(QEvent::ToolTip, at, view->mapToGlobal(at));
+    QApplication::sendEvent(view, &help);
+    return QToolTip::text();
+  };
+  EXPECT_EQ(pointAt(volume(0), {15, 16}), linesOf(volume(0)->fidelity()).join(QLatin1Char('\n')));
+  EXPECT_TRUE(QToolTip::text().startsWith(QStringLiteral("altered")));
+  EXPECT_EQ(pointAt(slice(SlicePlane::Coronal), {15, 16}), QStringLiteral("faithful"));
 }
 
 TEST_F(BusyWindow, TheChipOfEachViewHasTheColourOfItsGrade) {
