@@ -5,6 +5,7 @@
 
 #include "rendering/ViewSampling.h"
 #include "rendering/scene/Fading.h"
+#include "rendering/scene/Maximum.h"
 
 namespace fenestra {
 namespace {
@@ -100,6 +101,8 @@ FocusLayerPass::Sampling samplingFor(const Frame& frame, const GpuScene& gpu) {
     sampling.maxError = 4.0 * sampling.tolerance;
     sampling.roughSteps = true;
   }
+  // The focus alone needs that integral, too. Half of the bound is left for what lies beneath it.
+  if (maximumOf(frame.look())) sampling.maxError = 0.5 * sampling.maxError.value_or(FocusLayerPass::usualBound);
   // Rays that see nothing on a part of their way need that integral, too: it knows where a ray ends. Each of the two
   // parts gets half of the bound.
   if (frame.other || gpu.exemptLabels().any())

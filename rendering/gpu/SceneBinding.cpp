@@ -89,6 +89,16 @@ void bindFirstHit(const GpuScene& scene, gl::ShaderProgram& program) {
   program.set("gapCount", scene.gapCount());
 }
 
+void bindContextValues(const GpuScene& scene, gl::ShaderProgram& program) {
+  bindTexels(scene, program);
+  program.bind("contextSkip", scene.contextSkip());
+  scene.gaps().bind(gapsBlock);
+  program.set("gapCount", scene.gapCount());
+  program.bind("transferSegments", scene.transferSegments());
+  scene.segmentOfEntry().bind(segmentOfEntryBlock);
+  setTransfer(scene, program);
+}
+
 void bindFaint(const GpuScene& scene, gl::ShaderProgram& program) {
   const FaintIndex& faint = scene.faint();
   if (!faint.any()) return;

@@ -29,6 +29,10 @@ void bindLabelHits(const GpuScene& scene, const KeptLabels& labels, gl::ShaderPr
 /// the context is the volume's function everywhere.
 void bindFirstHit(const GpuScene& scene, gl::ShaderProgram& program);
 
+/// What rays that look for the context skip and leave (lib/Search.glsl), with the volume's texels and the functions'
+/// segments (lib/TransferSegments.glsl). For programs of sampledVariant(scene).
+void bindContextValues(const GpuScene& scene, gl::ShaderProgram& program);
+
 /// For programs of functionsChoice(scene).
 void bindFaint(const GpuScene& scene, gl::ShaderProgram& program);
 

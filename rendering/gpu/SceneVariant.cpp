@@ -16,11 +16,6 @@ gl::Choice voxelsChoice(const GpuScene& scene) {
   }
 }
 
-/// Texels alone, which of a spline are samples.
-gl::Variant sampledVariant(const GpuScene& scene) {
-  return gridVariant(scene) + gl::Variant{{}, {{"volume", "lib/volume/Trilinear.glsl"}, voxelsChoice(scene)}};
-}
-
 gl::Variant focusVariant(const GpuScene& scene, const IntegralKind& kind) {
   switch (kind.held) {
     case IntegralKind::Held::OfScene:
@@ -101,6 +96,10 @@ gl::Variant faceToFaceVariant(const GpuScene& scene, const IntegralKind& kind) {
 gl::Variant gridVariant(const GpuScene& scene) {
   if (scene.refinement() > 1) return {{{"REFINEMENT", scene.refinement()}}, {{"grid", "lib/grid/Refined.glsl"}}};
   return {{}, {{"grid", "lib/grid/Voxels.glsl"}}};
+}
+
+gl::Variant sampledVariant(const GpuScene& scene) {
+  return gridVariant(scene) + gl::Variant{{}, {{"volume", "lib/volume/Trilinear.glsl"}, voxelsChoice(scene)}};
 }
 
 gl::Variant volumeVariant(const GpuScene& scene) {

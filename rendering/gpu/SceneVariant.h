@@ -12,6 +12,8 @@ namespace fenestra {
 
 /// <grid>.
 gl::Variant gridVariant(const GpuScene& scene);
+/// <grid> and <volume>, with <voxels>: texels alone, which of a spline are samples.
+gl::Variant sampledVariant(const GpuScene& scene);
 /// <grid> and <volume>, with <voxels>: of a spline, the spline itself.
 gl::Variant volumeVariant(const GpuScene& scene);
 /// As volumeVariant(), for lib/FirstHit.glsl: also <look>.

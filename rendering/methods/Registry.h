@@ -11,6 +11,7 @@
 #include "rendering/methods/explode/Explode.h"
 #include "rendering/methods/focal-region/FocalRegion.h"
 #include "rendering/methods/importance/Importance.h"
+#include "rendering/methods/mip/Mip.h"
 #include "rendering/methods/peel/Peel.h"
 #include "rendering/methods/sculpt/Sculpt.h"
 #include "rendering/methods/selection/Selection.h"
@@ -24,6 +25,6 @@ struct MethodTypes {};
 /// In the order in which files, --help and the window show them. The first is the method of a new study.
 using Methods = MethodTypes<methods::Adaptive, methods::Cone, methods::Importance, methods::ClearView,
                             methods::ContextPreserving, methods::FocalRegion, methods::Walls, methods::Explode,
-                            methods::Sculpt, methods::Bend, methods::Selection, methods::Peel>;
+                            methods::Sculpt, methods::Bend, methods::Selection, methods::Peel, methods::Mip>;
 
 }  // namespace fenestra

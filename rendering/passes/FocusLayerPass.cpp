@@ -9,6 +9,7 @@
 #include "rendering/gpu/SceneBinding.h"
 #include "rendering/scene/Fading.h"
 #include "rendering/scene/Lighting.h"
+#include "rendering/scene/Maximum.h"
 
 namespace fenestra {
 
@@ -107,6 +108,7 @@ IntegralKind FocusLayerPass::kindOf(const Drawn& drawn) {
                     .roughSteps = sampling.roughSteps};
   kind.wholeCells = readsWholeCells(gpu, sampling, kind.lit);
   kind.bentNormals = bendsNormals(gpu, sampling, kind.lit);
+  if (maximumOf(drawn.look)) kind.shown = IntegralKind::Shown::FocusAlone;
   // Where a view is exploded around its focus, a stretch shows that or a part of the context.
   if (drawn.stretch && drawn.focusHits)
     kind.shown =

@@ -23,7 +23,8 @@ namespace fenestra {
 /// (focusFunction()), that function of v; of a focus of labels, the nearest voxel tells the label whose material or
 /// function it is. Where the context fades, its extinction is multiplied by m of MethodStages::Fading, which needs a
 /// sampling with a bound on the error. What is focus does not depend on a function: hits and ray starts are those of
-/// the same focus of one material. Both are lit as the focus is.
+/// the same focus of one material. Both are lit as the focus is. Where the context shows by its greatest value
+/// (MaximumPass), the integral is that of the focus alone, within a bound on the error.
 class FocusLayerPass {
  public:
   explicit FocusLayerPass(const gl::SharedPrograms& programs = std::make_shared<gl::ComputePrograms>())

@@ -22,6 +22,7 @@ struct CutRay {
   /// Where it sees nothing again behind the start; see rendering/passes/RemovedPass.h.
   Span hole{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
   glm::dvec3 wall{0.0};     ///< unit normal of the cut or capped face at the start, world; zero where there is none
+  bool onFocus = false;     ///< the start is on the focus's surface, on whichever side rounding has put it
   double beforeWall = 0.0;  ///< mm that the start lies behind that face
   /// Set where the context is ghosted: it is a ghost up to this t and in the hole, in which the ray then sees as well.
   /// Minus infinity where no part before the hole is ghosted.

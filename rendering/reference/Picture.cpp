@@ -5,6 +5,7 @@
 #include "rendering/reference/FocusLayer.h"
 #include "rendering/reference/Lens.h"
 #include "rendering/reference/Light.h"
+#include "rendering/reference/Maximum.h"
 #include "rendering/reference/Occlusion.h"
 #include "rendering/reference/Peeled.h"
 #include "rendering/reference/Strokes.h"
@@ -14,6 +15,7 @@
 #include "rendering/scene/Explosion.h"
 #include "rendering/scene/Fading.h"
 #include "rendering/scene/Lighting.h"
+#include "rendering/scene/Maximum.h"
 #include "rendering/scene/Walls.h"
 #include "rendering/volume/Threads.h"
 
@@ -117,6 +119,7 @@ std::vector<CutRay> cutRays(const Frame& frame, const Rays& rays) {
         ray.span = missed;
       } else {
         ray.span.tIn = std::max(ray.span.tIn, start);
+        ray.onFocus = start == rays.tFocus(i);
         ray.wall = wallNormal(frame, rays, i);
         if (const auto& apart = rays.stages.apart)
           ray.hole = {apart->holeBegin[rays.at[i]], apart->holeEnd[rays.at[i]]};
@@ -255,9 +258,14 @@ Picture drawn(const Frame& frame, const Rays& rays) {
   // Each layer has an equal share of the tolerance, and half of it where exempt labels are drawn beside them.
   const double tolerance =
       frame.tolerance / (1.0 + guarded + hasFaint) * (scene.look.clipping.exempt.empty() ? 1.0 : 0.5);
-  FocusLayer layer = focusLayer(scene, frame.camera, cut, tolerance, frame.occlusion);
+  FocusLayer layer = maximumOf(scene.look) ? layerOf(Alone::InFocus, scene, frame.camera, cut, tolerance)
+                                           : focusLayer(scene, frame.camera, cut, tolerance, frame.occlusion);
   Picture result;
   result.final = layer.colour;
+  if (const auto maximum = maximumOf(scene.look)) {
+    const std::vector<glm::dvec4> behind = maximumLayer(scene, cut, *maximum);
+    for (std::size_t i = 0; i < cut.size(); ++i) result.final[i] = over(result.final[i], behind[i]);
+  }
   if (const std::vector<glm::dvec4> inside = wallsOn(frame, rays, WallPlacement::Inside); !inside.empty()) {
     for (std::size_t i = 0; i < cut.size(); ++i) result.final[i] = over(inside[i], result.final[i]);
     result.walls = inside;

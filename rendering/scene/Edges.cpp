@@ -1,5 +1,6 @@
 #include "rendering/scene/Edges.h"
 
+#include "rendering/scene/Maximum.h"
 #include "rendering/scene/Walls.h"
 
 namespace fenestra {
@@ -9,7 +10,7 @@ bool hasSmoothEdges(const Look& look, const View& view) {
   const bool opens = look.cutaway.enabled && !std::holds_alternative<std::monostate>(look.focus) &&
                      method.start != MethodStages::Start::Entry;
   return look.edges == Edges::Smooth && !(opens && !method.opensBetweenPixels()) && !wallsOf(look) &&
-         (view.quality != Quality::Draft || view.maxError);
+         !maximumOf(look) && (view.quality != Quality::Draft || view.maxError);
 }
 
 }  // namespace fenestra

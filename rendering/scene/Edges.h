@@ -7,7 +7,7 @@
 namespace fenestra {
 
 /// Whether a view's picture has smooth edges: not while things move, in draft quality, and not with an opening that is
-/// not defined between pixels (MethodStages::opensBetweenPixels).
+/// not defined between pixels (MethodStages::opensBetweenPixels), nor with walls or the greatest values of the context.
 bool hasSmoothEdges(const Look& look, const View& view);
 
 }  // namespace fenestra

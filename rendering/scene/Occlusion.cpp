@@ -9,13 +9,15 @@
 #include "rendering/scene/FaintLabels.h"
 #include "rendering/scene/FocusCells.h"
 #include "rendering/scene/Importance.h"
+#include "rendering/scene/Maximum.h"
 #include "rendering/volume/Threads.h"
 
 namespace fenestra {
 
 bool hasOcclusion(const Look& look) {
   const Shading& shading = look.shading;
-  return shading.enabled && (shading.occlusion > 0.0 || shading.shadow > 0.0) && !fadingOf(look) && !explosionOf(look);
+  return shading.enabled && (shading.occlusion > 0.0 || shading.shadow > 0.0) && !fadingOf(look) &&
+         !explosionOf(look) && !maximumOf(look);
 }
 
 namespace occlusion {

@@ -39,7 +39,8 @@
 namespace fenestra {
 
 /// Whether a look's pictures have ambient occlusion or a soft shadow. A context that fades has neither: how much of it
-/// shows depends on the ray. Nor has an exploded view, whose parts would bring along the shade of their old places.
+/// shows depends on the ray. Nor has an exploded view, whose parts would bring along the shade of their old places, or
+/// a context that shows by its greatest values, which have no light.
 bool hasOcclusion(const Look& look);
 
 namespace occlusion {

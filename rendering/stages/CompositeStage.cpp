@@ -13,7 +13,7 @@ CompositeStage::CompositeStage(StageList& list, const Layers& layers)
 
 CompositeKey CompositeStage::keyOf(const Frame& frame) const {
   const Look& look = frame.look();
-  return {.focusLayer = layers_.focusLayer.layer().version,
+  return {.focusLayer = layers_.seen.layer().version,
           .walls = layers_.walls.picture().version,
           .distances = layers_.starts.distances().version,
           .contextLayer = layers_.context.layer().version,

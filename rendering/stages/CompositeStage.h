@@ -34,7 +34,7 @@ class CompositeStage : public KeyedStage<CompositeKey> {
   /// The layers that it reads.
   struct Layers {
     const PictureStarts& starts;
-    const FocusLayerStage& focusLayer;
+    const MaximumStage& seen;  ///< what rays see from their starts on
     const WallsInsideStage& walls;
     const FaintLayerStage& faint;
     const ProtectedLayerStage& protectedLabels;
@@ -50,7 +50,7 @@ class CompositeStage : public KeyedStage<CompositeKey> {
 
  private:
   /// What the layers are laid over.
-  Output below() const { return firstOf({layers_.walls.picture(), layers_.focusLayer.layer()}); }
+  Output below() const { return firstOf({layers_.walls.picture(), layers_.seen.layer()}); }
   CompositeKey keyOf(const Frame& frame) const;
   CompositePass::Inputs inputs(const Frame& frame) const;
   /// What of the picture differs from the one before; empty: any of it may.

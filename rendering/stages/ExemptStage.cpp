@@ -4,15 +4,15 @@
 
 namespace fenestra {
 
-ExemptStage::ExemptStage(StageList& list, const FocusLayerStage& focusLayer, const CompositeStage& composite,
+ExemptStage::ExemptStage(StageList& list, const MaximumStage& seen, const CompositeStage& composite,
                          const OcclusionStage& occlusion)
-    : KeyedStage(list, Pass::Exempt), focusLayer_(focusLayer), composite_(composite), occlusion_(occlusion) {
+    : KeyedStage(list, Pass::Exempt), seen_(seen), composite_(composite), occlusion_(occlusion) {
   owns(picture_);
 }
 
 void ExemptStage::begin(const Frame& frame, Steps& steps) {
   const GpuScene::Versions& scene = gpu().versions();
-  const Output below = firstOf({composite_.picture(), focusLayer_.layer()});
+  const Output below = firstOf({composite_.picture(), seen_.layer()});
   const ExemptKey key{.below = below.version,
                       .occlusion = occlusion_.nodes().version,
                       .volume = scene.volume,

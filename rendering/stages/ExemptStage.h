@@ -20,7 +20,7 @@ struct ExemptKey {
 
 class ExemptStage : public KeyedStage<ExemptKey> {
  public:
-  ExemptStage(StageList& list, const FocusLayerStage& focusLayer, const CompositeStage& composite,
+  ExemptStage(StageList& list, const MaximumStage& seen, const CompositeStage& composite,
               const OcclusionStage& occlusion);
   bool isUsed(const Frame& frame) const override { return gpu().exemptLabels().any() && !frame.exploded; }
   void begin(const Frame& frame, Steps& steps) override;
@@ -29,7 +29,7 @@ class ExemptStage : public KeyedStage<ExemptKey> {
   Output picture() const { return {picture_, version()}; }
 
  private:
-  const FocusLayerStage& focusLayer_;
+  const MaximumStage& seen_;
   const CompositeStage& composite_;
   const OcclusionStage& occlusion_;
   ExemptPass pass_{gpu().programs()};

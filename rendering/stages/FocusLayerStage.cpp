@@ -1,6 +1,7 @@
 #include "rendering/stages/FocusLayerStage.h"
 
 #include "rendering/scene/Fading.h"
+#include "rendering/scene/Maximum.h"
 #include "rendering/stages/Images.h"
 
 namespace fenestra {
@@ -26,6 +27,7 @@ FocusLayerKey FocusLayerStage::keyOf(const Frame& frame) const {
           .focusExtinction = look.focusAppearance.extinction,
           .fading = fadingOf(look),
           .explosion = explosionOf(look),
+          .focusAlone = maximumOf(look).has_value(),
           .shading = look.shading,
           .camera = frame.view().camera,
           .size = frame.view().size,

@@ -14,6 +14,7 @@ struct FocusLayerKey {
   double focusExtinction;
   std::optional<MethodStages::Fading> fading;
   std::optional<MethodStages::Explosion> explosion;
+  bool focusAlone;  ///< the context shows by its greatest value, in MaximumStage
   Shading shading;
   Camera camera;
   glm::ivec2 size;

@@ -18,6 +18,7 @@ enum class Pass : std::uint8_t {
   RayStart,
   Occlusion,
   FocusLayer,
+  Maximum,
   FaintLayer,
   ProtectedLayer,
   ContextLayer,

@@ -8,17 +8,15 @@ namespace fenestra {
 /// The last of the stages up to there that lays something over the picture or beneath it.
 class PixelPicture {
  public:
-  PixelPicture(const FocusLayerStage& focusLayer, const CompositeStage& composite, const ExemptStage& exempt,
+  PixelPicture(const MaximumStage& seen, const CompositeStage& composite, const ExemptStage& exempt,
                const WallsAroundStage& walls)
-      : focusLayer_(focusLayer), composite_(composite), exempt_(exempt), walls_(walls) {}
+      : seen_(seen), composite_(composite), exempt_(exempt), walls_(walls) {}
 
   /// Premultiplied RGBA32F.
-  Output picture() const {
-    return firstOf({walls_.picture(), exempt_.picture(), composite_.picture(), focusLayer_.layer()});
-  }
+  Output picture() const { return firstOf({walls_.picture(), exempt_.picture(), composite_.picture(), seen_.layer()}); }
 
  private:
-  const FocusLayerStage& focusLayer_;
+  const MaximumStage& seen_;
   const CompositeStage& composite_;
   const ExemptStage& exempt_;
   const WallsAroundStage& walls_;

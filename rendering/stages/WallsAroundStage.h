@@ -7,15 +7,15 @@ namespace fenestra {
 
 class WallsAroundStage : public WallStage {
  public:
-  WallsAroundStage(StageList& list, const FocusLayerStage& focusLayer, const CompositeStage& composite,
+  WallsAroundStage(StageList& list, const MaximumStage& seen, const CompositeStage& composite,
                    const ExemptStage& exempt)
-      : WallStage(list, WallPlacement::Around), focusLayer_(focusLayer), composite_(composite), exempt_(exempt) {}
+      : WallStage(list, WallPlacement::Around), seen_(seen), composite_(composite), exempt_(exempt) {}
   void begin(const Frame& frame, Steps& steps) override {
-    stand(frame, steps, firstOf({exempt_.picture(), composite_.picture(), focusLayer_.layer()}), std::nullopt);
+    stand(frame, steps, firstOf({exempt_.picture(), composite_.picture(), seen_.layer()}), std::nullopt);
   }
 
  private:
-  const FocusLayerStage& focusLayer_;
+  const MaximumStage& seen_;
   const CompositeStage& composite_;
   const ExemptStage& exempt_;
 };

@@ -121,6 +121,13 @@ struct MethodStages {
     bool operator==(const Peel&) const = default;
   };
   std::optional<Peel> peel{};
+  /// Where the context shows by the greatest of its values along a ray; rendering/passes/MaximumPass.h defines the
+  /// picture.
+  struct Maximum {
+    double thickness = 0.0;  ///< mm, of the layer that is shown of that value
+    bool operator==(const Maximum&) const = default;
+  };
+  std::optional<Maximum> maximum{};
   bool hasBorder = true;  ///< w_border says how wide the line around the opening is; else it counts as 0
 
   /// Stages that cut nothing away: rays start where they enter the volume.
@@ -129,8 +136,8 @@ struct MethodStages {
   static MethodStages onCones(double angle, bool onSilhouette);
 
   /// Whether the opening, if any, is defined between pixels, too, so that its edges can be smooth: that of the adaptive
-  /// cutaway is, without walls in it.
-  bool opensBetweenPixels() const { return start == Start::Blend && hasWidth && !keepsRemoved() && !walls; }
+  /// cutaway is, without walls in it, and with a context that is integrated.
+  bool opensBetweenPixels() const { return start == Start::Blend && hasWidth && !keepsRemoved() && !walls && !maximum; }
   /// Whether some of what the opening removes may show.
   bool keepsRemoved() const { return faintOpacity > 0.0 || lens; }
   bool operator==(const MethodStages&) const = default;

@@ -13,8 +13,8 @@ struct MethodVariant {
   std::string name;     ///< for file names
   std::string caption;  ///< in English
   Method method;
-  /// Whether it moves the context instead of removing some. What it keeps is then not told along the rays of its
-  /// picture (ContextMeasures.h).
+  /// Whether it moves the context instead of removing some, or shows one of its values a ray. What it keeps is then not
+  /// told along the rays of its picture (ContextMeasures.h).
   bool moves = false;
 };
 
@@ -26,7 +26,7 @@ inline std::vector<MethodVariant> methodVariants() {
     list.push_back({.name = M::word + (way.empty() ? "" : "-" + way),
                     .caption = M::name + (way.empty() ? "" : ", " + way),
                     .method = parameters,
-                    .moves = stages.explosion || stages.peel});
+                    .moves = stages.explosion || stages.peel || stages.maximum});
   };
   forEachMethod([&]<class M>() {
     if (!carves(kindOf<M>)) add(M{});

@@ -28,6 +28,7 @@ const std::vector<std::string> methods{
     "--method selection --ghost-strength 0.8 --ghost-edge 20 --ghost-outline 0.25",
     "--method peel --peel 0.7 --peel-depth 0.3 --peel-radius 20 --peel-margin 12",
     "--method peel --peel-side left --peel-turn 30",
+    "--method mip --mip-thickness 4",
     "--method clearview --lens-radius 50 --lens-fade depth"};
 
 TEST_F(MethodCommand, PicturesAreTheReferences) {
@@ -51,7 +52,8 @@ TEST_F(MethodCommand, ParametersOfOtherMethodsLeaveThePictureAsItIs) {
                    "--focal-shape box --focal-size 9 --focal-fall-off 3 --wall-placement inside --wall-coronal off "
                    "--crosshair 1,2,3 --window 10 --level 5 --explosion 0.9 --explosion-planes three "
                    "--explosion-axes view --ghost-strength 0.3 --ghost-edge 40 --ghost-outline 0.9 "
-                   "--peel 0.3 --peel-side left --peel-turn 20 --peel-depth 0.9 --peel-radius 50 --peel-margin 40"),
+                   "--peel 0.3 --peel-side left --peel-turn 20 --peel-depth 0.9 --peel-radius 50 --peel-margin 40 "
+                   "--mip-thickness 77"),
             0);
   EXPECT_EQ(bytes("plain.png"), bytes("same.png"));
 }

@@ -446,7 +446,7 @@ TEST_P(HardCases, withEachMethod) {
            methods::Walls{.placement = WallPlacement::Inside}, methods::Explode{.planes = ExplosionPlanes::Three},
            methods::Explode{.degree = 1.0, .axes = ExplosionAxes::View}, methods::Peel{},
            methods::Peel{.amount = 0.5, .side = PeelSide::Superior, .radius = 1.0, .margin = 1e5},
-           methods::Selection{.edge = 5.0}}) {
+           methods::Selection{.edge = 5.0}, methods::Mip{}}) {
     SCOPED_TRACE(std::string(wordOf(method.kind).word) + ", " + wordOf(method.of<methods::Importance>().mode).word);
     shot.scene.look.method = method;
     // Where the context fades, normals lack the rounding of their texture, so the pixels that are off anyway are off by

@@ -138,6 +138,7 @@ TEST_F(Methods, EachMatchesTheReferenceAndIsAnotherPicture) {
 std::vector<std::pair<std::string, Method>> eachMethod() {
   auto methods = otherMethods();
   methods.resize(8);
+  methods.emplace_back("maximum", methods::Mip{});
   return methods;
 }
 
@@ -427,6 +428,10 @@ TEST_F(Methods, ReRunOnlyWhatAChangeReaches) {
       after(exploded,
             [](Scene& s) { s.look.cutaway.openWidth = s.look.method.of<methods::ContextPreserving>().reach = 9.0; }),
       std::set<std::string>());
+  const Scene maximum = hazyBody(methods::Mip{});
+  EXPECT_EQ(after(maximum, [](Scene& s) { s.look.method.of<methods::Mip>().thickness = 2.0; }),
+            (std::set<std::string>{"maximum", "composite"}));
+  EXPECT_EQ(after(scene, [](Scene& s) { s.look.method.of<methods::Mip>().thickness = 2.0; }), std::set<std::string>());
   const Scene ghost = hazyBody(methods::Selection{});
   for (double methods::Selection::*number :
        {&methods::Selection::strength, &methods::Selection::edge, &methods::Selection::outline}) {
@@ -488,12 +493,13 @@ TEST_F(Methods, AMethodThatIsNotInUseCostsNothing) {
   unused.of<methods::FocalRegion>() = {.shape = FocalShape::Box, .size = 4.0, .fallOff = 3.0};
   unused.of<methods::Walls>() = {.placement = WallPlacement::Inside, .axial = false, .outlines = false};
   unused.of<methods::Explode>() = {.degree = 0.9, .planes = ExplosionPlanes::Three, .axes = ExplosionAxes::View};
+  unused.of<methods::Mip>() = {.thickness = 3.0};
   unused.of<methods::Selection>() = {.strength = 0.3, .edge = 40.0, .outline = 0.9};
   View other = view;
   other.slices = {scene.volume->grid.centre() + 5.0, WindowLevel{9.0, 8.0}, true};
   Renderer renderer(gpuWith(Schedule::Plain)), fresh(gpuWith(Schedule::Plain));
   fresh.render(scene, view);
-  for (const Pass pass : {Pass::Cones, Pass::FaintLayer, Pass::Lens, Pass::Walls})
+  for (const Pass pass : {Pass::Cones, Pass::FaintLayer, Pass::Lens, Pass::Walls, Pass::Maximum})
     EXPECT_EQ(fresh.stats()[static_cast<std::size_t>(pass)].runs, 0u) << nameOf(pass);
   renderer.render(others, other);
   EXPECT_EQ(renderer.readPicture(), fresh.readPicture());
@@ -535,6 +541,7 @@ TEST_F(Methods, ChangesLeaveNothingBehind) {
     scene.look.method.of<methods::Walls>().sagittal = false;
     scene.look.method.of<methods::Explode>().degree = 0.8;
     scene.look.method.of<methods::Selection>().strength = 0.4;
+    scene.look.method.of<methods::Mip>().thickness = 3.0;
     expectFresh(scene, view, name + ", other parameters");
     View moved = view;
     moved.slices.crosshair = scene.volume->grid.centre() - 4.0;

@@ -44,6 +44,7 @@ const std::vector<Change> changes{
     {"exploded", [](Scene& scene, View&) { scene.look.method.kind = kindOf<methods::Explode>; }},
     {"peeled", [](Scene& scene, View&) { scene.look.method.kind = kindOf<methods::Peel>; }},
     {"ghosted selection", [](Scene& scene, View&) { scene.look.method.kind = kindOf<methods::Selection>; }},
+    {"maximum", [](Scene& scene, View&) { scene.look.method.kind = kindOf<methods::Mip>; }},
     {"smooth edges", [](Scene& scene, View&) { scene.look.edges = Edges::Smooth; }},
 };
 

@@ -90,9 +90,9 @@ TEST_F(Window, SlidersAreThoseOfTheDeclaredSettings) {
   EXPECT_EQ(expectSlidersAsDeclared<Cutaway>(panel<CutawayPanel>()), 3);
   int sliders = 0;
   forEachMethod([&]<class M>() { sliders += expectSlidersAsDeclared<M>(panel<CutawayPanel>()); });
-  EXPECT_EQ(sliders, 18);
+  EXPECT_EQ(sliders, 19);
   EXPECT_EQ(expectSlidersAsDeclared<CarvingSettings>(panel<CutawayPanel>()), 3);
-  EXPECT_EQ(panel<CutawayPanel>().findChildren<SliderSpin*>().size(), 24) << "one each";
+  EXPECT_EQ(panel<CutawayPanel>().findChildren<SliderSpin*>().size(), 25) << "one each";
   EXPECT_EQ(expectSlidersAsDeclared<ContextLayer>(panel<ContextLayerPanel>()), 5);
   EXPECT_EQ(panel<ContextLayerPanel>().findChildren<SliderSpin*>().size(), 5) << "one each";
 }

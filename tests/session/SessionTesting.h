@@ -83,6 +83,7 @@ inline io::Session fullSession(const std::filesystem::path& folder) {
   method.of<methods::Explode>() = {0.125, ExplosionPlanes::Three, ExplosionAxes::View};
   method.of<methods::Selection>() = {0.625, 17.5, 0.875};
   method.of<methods::Peel>() = {0.375, PeelSide::Inferior, -22.5, 0.25, 12.5, 7.25};
+  method.of<methods::Mip>() = {3.25};
   session.look.cutaway = {false, 31.0, 0.5, WidthUnit::Millimetre, {0.3, 0.2, 0.1}, 22.5, -135.0};
   session.look.contextLayer = {.strength = 0.25,
                                .curvatureWeight = 2.0,

@@ -9,8 +9,11 @@
 #include <gtest/gtest.h>
 
 #include "rendering/methods/Method.h"
+#include "rendering/scene/Edges.h"
 #include "rendering/scene/Explosion.h"
 #include "rendering/scene/Fading.h"
+#include "rendering/scene/Maximum.h"
+#include "rendering/scene/Occlusion.h"
 #include "rendering/scene/Peel.h"
 #include "rendering/scene/Scene.h"
 
@@ -72,7 +75,7 @@ TEST(Method, ProgramsKeepNoNumber) {
 TEST(Method, SmoothEdgesNeedAnOpeningThatIsDefinedBetweenPixels) {
   for (const Method& method : std::initializer_list<Method>{
            methods::Cone{}, methods::Importance{}, methods::Importance{.mode = ImportanceMode::Average, .opacity = 0.0},
-           methods::ClearView{}, methods::Walls{}})
+           methods::ClearView{}, methods::Walls{}, methods::Mip{}})
     EXPECT_FALSE(stagesOf(method).opensBetweenPixels()) << wordOf(method.kind).word;
   EXPECT_TRUE(methods::Adaptive{}.stages().opensBetweenPixels());
   EXPECT_TRUE(methods::Selection{}.stages().opensBetweenPixels());
@@ -274,6 +277,24 @@ TEST(Method, AScreenDoorShowsItsShareOfEverySquareEvenly) {
   }
   EXPECT_EQ(faintShare(Sparseness::Opacity, 0.3, 5, 7), 0.3);
   EXPECT_EQ(faintShare(Sparseness::Colour, 0.3, 5, 7), 0.3);
+}
+
+TEST(Method, AMaximumIntensityProjectionOpensAsTheAdaptiveCutawayDoes) {
+  const Method method = methods::Mip{.thickness = 3.5};
+  MethodStages stages = stagesOf(method);
+  EXPECT_EQ(stages.maximum, MethodStages::Maximum{3.5});
+  stages.maximum.reset();
+  EXPECT_EQ(stages, MethodStages{});
+  Scene scene;
+  scene.look.method = method;
+  EXPECT_EQ(maximumOf(scene.look), MethodStages::Maximum{3.5}) << "without a focus, too";
+  scene.look.shading.occlusion = 0.5;
+  EXPECT_FALSE(hasOcclusion(scene.look));
+  scene.look.edges = Edges::Smooth;
+  EXPECT_FALSE(hasSmoothEdges(scene.look, View{}));
+  scene.look.cutaway.enabled = false;
+  EXPECT_FALSE(maximumOf(scene.look));
+  EXPECT_TRUE(hasOcclusion(scene.look) && hasSmoothEdges(scene.look, View{}));
 }
 
 TEST(Method, SculptingAndBendingOpenNothingThemselves) {

@@ -10,6 +10,7 @@
 #include "rendering/scene/Fading.h"
 #include "rendering/scene/FaintLabels.h"
 #include "rendering/scene/Importance.h"
+#include "rendering/scene/Maximum.h"
 #include "rendering/scene/Occlusion.h"
 #include "rendering/scene/Peel.h"
 #include "rendering/scene/Walls.h"
@@ -100,8 +101,9 @@ ScenePreparation::Kind ScenePreparation::kindOf(const Scene& scene, const View& 
           .faint = faintLabels(scene).any(),
           .lit = look.shading.enabled,
           .cutaway = hasCutaway(scene),
-          .method = hasCutaway(scene) || fadingOf(look) || wallsOf(look) || explosionOf(look) ? programsOf(look.method)
-                                                                                              : ChosenMethod(),
+          .method = hasCutaway(scene) || fadingOf(look) || wallsOf(look) || explosionOf(look) || maximumOf(look)
+                        ? programsOf(look.method)
+                        : ChosenMethod(),
           .occluded = hasOcclusion(look),
           .contextLayer = look.contextLayer.strength > 0.0,
           .clipped = halfSpaces(look.clipping, scene.volume->grid).empty() && !explosionOf(look) ? 0
