@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "io/LabelReader.h"
 #include "io/VolumeReader.h"
 #include "tests/io/IoTesting.h"
 #include "tests/support/TestData.h"
@@ -92,6 +93,18 @@ TEST(HardDicom, PaddingByNulIsPaddingByBlanks) {
   EXPECT_TRUE(a->lowIsWhite);
   EXPECT_TRUE(b->lowIsWhite);
   EXPECT_EQ(realValues(*a), realValues(*b));
+}
+
+TEST(HardDicom, ContoursAndColoursPaddedByNulAreKept) {
+  FENESTRA_TEST_DATA_OR_SKIP(path, "hard/nul-padding-rt");
+  FENESTRA_TEST_DATA_OR_SKIP(ct, "hard/nul-padding-ct");
+  const Grid grid = io::openVolume(ct).volume->grid;
+  for (const char* name : {"rt.dcm", "rt-colour-nul.dcm"}) {
+    SCOPED_TRACE(name);
+    const io::OpenedLabels opened = io::openLabels(path / name, grid);
+    EXPECT_EQ(textsOf(opened.warnings), "");
+    EXPECT_EQ(opened.labels->labels.at(0).colour, glm::dvec3(1, 0, 0));
+  }
 }
 
 TEST(HardDicom, MagnitudeAndPhaseAreTwoVolumesWithTheirOwnGaps) {
