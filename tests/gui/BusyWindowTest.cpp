@@ -30,7 +30,7 @@ class BusyWindow : public Window {
 
 TEST_F(BusyWindow, APictureThatIsBehindIsMarkedUntilItIsThere) {
   const SlowCompiler driver;
-  askFor(MethodKind::ContextPreserving);
+  askFor(kindOf<methods::ContextPreserving>);
   EXPECT_FALSE(isMarked(volume(0))) << "a short wait is no news";
   ASSERT_TRUE(QTest::qWaitFor([&] { return isMarked(volume(0)) && isMarked(volume(1)); }, 5000));
   EXPECT_TRUE(bar()->isVisible());
@@ -42,7 +42,7 @@ TEST_F(BusyWindow, APictureThatIsBehindIsMarkedUntilItIsThere) {
 TEST_F(BusyWindow, WhatIsAwaitedCanBeTakenBack) {
   const Look before = document().look();
   const SlowCompiler driver;
-  askFor(MethodKind::ContextPreserving);
+  askFor(kindOf<methods::ContextPreserving>);
   ASSERT_TRUE(QTest::qWaitFor([&] { return bar()->isVisible(); }, 5000));
   QTest::mouseClick(bar()->findChild<QPushButton*>(), Qt::LeftButton);
   EXPECT_EQ(document().look(), before);
