@@ -236,6 +236,25 @@ void refuseOutside(const ImageFile& image) {
   }
 }
 
+namespace {
+
+/// The voxels of each layer; warns where some were rounded.
+std::vector<Voxels> takenFrom(std::vector<VoxelSink>& sinks, const ImageFile& image, std::vector<Warning>& warnings) {
+  std::vector<Voxels> result;
+  bool lossy = false;
+  for (VoxelSink& sink : sinks) {
+    lossy |= sink.lossy();
+    result.push_back(sink.take());
+  }
+  if (lossy)
+    warnings.push_back({Warning::Kind::PrecisionLoss,
+                        "some 64-bit integers are beyond 2^53 and were rounded to the nearest double",
+                        {image.path}});
+  return result;
+}
+
+}  // namespace
+
 std::vector<Voxels> readVoxels(const ImageFile& image, Layers layers, const Progress& progress,
                                std::vector<Warning>& warnings) {
   const std::uint64_t dims[] = {static_cast<std::uint64_t>(image.grid.dims.x),
@@ -289,17 +308,7 @@ std::vector<Voxels> readVoxels(const ImageFile& image, Layers layers, const Prog
       done += count * voxelBytes;
     }
   }
-  std::vector<Voxels> result;
-  bool lossy = false;
-  for (VoxelSink& sink : sinks) {
-    lossy |= sink.lossy();
-    result.push_back(sink.take());
-  }
-  if (lossy)
-    warnings.push_back({Warning::Kind::PrecisionLoss,
-                        "some 64-bit integers are beyond 2^53 and were rounded to the nearest double",
-                        {image.path}});
-  return result;
+  return takenFrom(sinks, image, warnings);
 }
 
 ImageFile describeRaw(const fs::path& path, const RawDescription& description) {

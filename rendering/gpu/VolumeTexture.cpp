@@ -168,21 +168,39 @@ GradientTexture makeGradientTexture(const ShownVolume& shown, const std::optiona
   return result;
 }
 
+namespace {
+
+/// A tap of the filter that reduces a volume along an axis: texel i reads voxel factor · i + offset.
+struct Tap {
+  int offset;
+  float weight;
+};
+
+std::vector<Tap> tapsOf(int factor) {
+  if (factor == 2) return {{-1, 0.125f}, {0, 0.375f}, {1, 0.375f}, {2, 0.125f}};
+  return {{0, 1.0f}};
+}
+
+/// Voxels a texel along each axis: two where they are near each other and many.
+glm::ivec3 reductionOf(const Grid& grid) {
+  const double finest = std::min({grid.spacing.x, grid.spacing.y, grid.spacing.z});
+  glm::ivec3 factor;
+  for (int axis = 0; axis < 3; ++axis) factor[axis] = grid.spacing[axis] < 2.0 * finest && grid.dims[axis] >= 8 ? 2 : 1;
+  return factor;
+}
+
+}  // namespace
+
 DerivativeVolume makeDerivativeVolume(const ShownVolume& shown) {
   const Volume& volume = *shown.volume;
   const VolumeCoding coding = codingOf(volume);
   const ShownVoxels voxels(shown);
   const Grid& grid = volume.grid;
   DerivativeVolume result;
-  const double finest = std::min({grid.spacing.x, grid.spacing.y, grid.spacing.z});
-  glm::ivec3 dims;
-  result.spacing = 1e300;
-  for (int axis = 0; axis < 3; ++axis) {
-    const bool thin = grid.spacing[axis] < 2.0 * finest && grid.dims[axis] >= 8;
-    result.factor[axis] = thin ? 2 : 1;
-    dims[axis] = (grid.dims[axis] + result.factor[axis] - 1) / result.factor[axis];
-    result.spacing = std::min(result.spacing, grid.spacing[axis] * result.factor[axis]);
-  }
+  result.factor = reductionOf(grid);
+  const glm::ivec3 dims = (grid.dims + result.factor - 1) / result.factor;
+  const glm::dvec3 spacing = grid.spacing * glm::dvec3(result.factor);
+  result.spacing = std::min({spacing.x, spacing.y, spacing.z});
   const bool wide = !coding.integers;
   result.texture = gl::Texture::make3D(wide ? gl::Format::R32F : gl::Format::R16, dims);
   // Stretched over all 16 bits, so that smoothing keeps what lies between the data's own steps.
@@ -190,16 +208,7 @@ DerivativeVolume makeDerivativeVolume(const ShownVolume& shown) {
   const float stretch = static_cast<float>(65535.0 / std::max(coded.high, 1.0));
   result.texelScale = (wide ? 1.0f : 65535.0f / stretch) * coding.slope;
   const double base = (coding.offset - volume.intercept) / volume.slope;
-  // Taps of the texel's filter along an axis: offsets from factor·i.
-  struct Tap {
-    int offset;
-    float weight;
-  };
-  const auto taps = [&](int axis) -> std::vector<Tap> {
-    if (result.factor[axis] == 2) return {{-1, 0.125f}, {0, 0.375f}, {1, 0.375f}, {2, 0.125f}};
-    return {{0, 1.0f}};
-  };
-  const std::vector<Tap> tx = taps(0), ty = taps(1), tz = taps(2);
+  const std::vector<Tap> tx = tapsOf(result.factor.x), ty = tapsOf(result.factor.y), tz = tapsOf(result.factor.z);
   volume.voxels.visit([&](auto scalars) {
     using T = typename decltype(scalars)::value_type;
     const Sanitizer<T> sanitize(volume);

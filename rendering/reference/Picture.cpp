@@ -240,17 +240,41 @@ void addContextLayer(const Frame& frame, const Rays& rays, const std::vector<Cut
   }
 }
 
+Picture explodedPicture(const Frame& frame, const Rays& rays) {
+  FocusLayer layer = explodedLayer(frame.scene, frame.camera, frame.size, rays.places, frame.tolerance);
+  Picture result;
+  result.final = layer.colour;
+  result.focusLayer = std::move(layer.colour);
+  result.error = std::move(layer.error);
+  return result;
+}
+
+void addBorder(const Frame& frame, const Rays& rays, std::vector<glm::dvec4>& final) {
+  const glm::dvec4 border(frame.scene.look.cutaway.borderColour, 1.0);
+  for (std::size_t i = 0; frame.hasBorder() && i < final.size(); ++i) {
+    if (std::isnan(rays.tContext(i))) continue;
+    const double coverage = borderCoverage(rays.borderDistance[rays.at[i]], frame.widths, rays.boxWidth);
+    final[i] = glm::mix(final[i], border, coverage * rays.factor(i));
+  }
+}
+
+/// What clipping leaves whole, before and behind the picture; adds its error.
+void addExemptLabels(const Frame& frame, const std::vector<CutRay>& cut, std::vector<glm::dvec4>& final,
+                     std::vector<double>& error) {
+  const Scene& scene = frame.scene;
+  const Clipping& clipping = scene.look.clipping;
+  if (clipping.exempt.empty() || !structuresOf(scene) || halfSpaces(clipping, scene.volume->grid).empty()) return;
+  const ExemptLayers exempt = exemptLayers(scene, frame.camera, cut, 0.25 * frame.tolerance, frame.occlusion);
+  for (std::size_t i = 0; i < cut.size(); ++i) {
+    final[i] = over(over(exempt.before.colour[i], final[i]), exempt.behind.colour[i]);
+    error[i] += exempt.before.error[i] + exempt.behind.error[i];
+  }
+}
+
 /// Stages 5 to 7 of some rays.
 Picture drawn(const Frame& frame, const Rays& rays) {
   const Scene& scene = frame.scene;
-  if (explosionOf(scene.look)) {
-    FocusLayer layer = explodedLayer(scene, frame.camera, frame.size, rays.places, frame.tolerance);
-    Picture result;
-    result.final = layer.colour;
-    result.focusLayer = std::move(layer.colour);
-    result.error = std::move(layer.error);
-    return result;
-  }
+  if (explosionOf(scene.look)) return explodedPicture(frame, rays);
   const std::vector<CutRay> cut = cutRays(frame, rays);
   const bool guarded = frame.pixels && !labelsWith(LabelRole::Protected, scene).empty();
   const MethodStages method = stagesOf(scene.look.method);
@@ -282,25 +306,13 @@ Picture drawn(const Frame& frame, const Rays& rays) {
     layOver(protectedLayer(scene, frame.camera, cut, firstHits, tolerance, frame.occlusion), result.protectedLayer,
             layer.error, result.final, [](glm::dvec4 colour, std::size_t) { return colour; });
   if (frame.pixels && scene.look.contextLayer.strength > 0.0) addContextLayer(frame, rays, cut, lens, result);
-  for (std::size_t i = 0; frame.hasBorder() && i < cut.size(); ++i) {
-    if (std::isnan(rays.tContext(i))) continue;
-    const glm::dvec4 border(scene.look.cutaway.borderColour, 1.0);
-    const double coverage = borderCoverage(rays.borderDistance[rays.at[i]], frame.widths, rays.boxWidth);
-    result.final[i] = glm::mix(result.final[i], border, coverage * rays.factor(i));
-  }
+  addBorder(frame, rays, result.final);
   for (std::size_t i = 0; i < lens.size(); ++i) {
     glm::dvec4& colour = result.final[i];
     const double line = lens[i].line * rays.factor(i) * colour.a;
     colour = {glm::max(glm::dvec3(colour) - line, 0.0), colour.a};
   }
-  const Clipping& clipping = scene.look.clipping;
-  if (!clipping.exempt.empty() && structuresOf(scene) && !halfSpaces(clipping, scene.volume->grid).empty()) {
-    const ExemptLayers exempt = exemptLayers(scene, frame.camera, cut, 0.25 * frame.tolerance, frame.occlusion);
-    for (std::size_t i = 0; i < cut.size(); ++i) {
-      result.final[i] = over(over(exempt.before.colour[i], result.final[i]), exempt.behind.colour[i]);
-      layer.error[i] += exempt.before.error[i] + exempt.behind.error[i];
-    }
-  }
+  addExemptLabels(frame, cut, result.final, layer.error);
   if (const std::vector<glm::dvec4> around = wallsOn(frame, rays, WallPlacement::Around); !around.empty()) {
     for (std::size_t i = 0; i < cut.size(); ++i) result.final[i] = over(result.final[i], around[i]);
     result.walls = around;

@@ -347,6 +347,20 @@ std::optional<double> Phantom::firstHit(glm::dvec3 origin, glm::dvec3 unitDirect
   return {};
 }
 
+namespace {
+
+std::shared_ptr<Volume> emptyCt(const Grid& grid) {
+  auto volume = std::make_shared<Volume>();
+  volume->grid = grid;
+  volume->voxels = Voxels(ScalarType::Int16, grid.voxelCount());
+  volume->modality = Modality::CT;
+  volume->unit = "HU";
+  volume->windows = {{400.0, 40.0}};  // the usual soft-tissue window of CT
+  return volume;
+}
+
+}  // namespace
+
 Phantom::Rasterised Phantom::rasterise(int voxels) const {
   assert(voxels >= 1);
   const Grid grid = latticeFor(extent, voxels);
@@ -357,12 +371,7 @@ Phantom::Rasterised Phantom::rasterise(int voxels) const {
   constexpr int subRows = 16, generator = 5;
   const auto subOffset = [size](int k) { return size * ((k % subRows + 0.5) / subRows - 0.5); };
 
-  auto volume = std::make_shared<Volume>();
-  volume->grid = grid;
-  volume->voxels = Voxels(ScalarType::Int16, grid.voxelCount());
-  volume->modality = Modality::CT;
-  volume->unit = "HU";
-  volume->windows = {{400.0, 40.0}};  // the usual soft-tissue window of CT
+  const std::shared_ptr<Volume> volume = emptyCt(grid);
   auto map = std::make_shared<LabelMap>();
   map->grid = grid;
   map->labels = labelTable(bodies);

@@ -34,7 +34,7 @@ TEST_F(RenderCommand, RenderWritesPictureLayersCameraAndStatistics) {
   EXPECT_EQ(camera["clipFromWorld"][3].size(), 4u);
 
   const Json stats = Json::parse(contents(at("stats.json")));
-  ASSERT_EQ(stats["passes"].size(), 18u);
+  ASSERT_EQ(stats["passes"].size(), 19u);
   // Without strokes there is nothing to edit, without protected labels nothing to protect; nothing is clipped, no light
   // is hidden, edges are not smooth, and the method stands no cones, keeps nothing faint and has neither levels of
   // importance nor lens nor walls.
