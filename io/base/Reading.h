@@ -1,6 +1,7 @@
 #pragma once
 // What every reader takes, gives and throws: progress, options, warnings, the volume or label map that was read.
 
+#include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <memory>
@@ -78,7 +79,8 @@ struct RawDescription {
   bool operator==(const RawDescription&) const = default;
 };
 struct OpenOptions {
-  std::string series = {};  ///< a series' id as listSeries gives it, or its seriesKey(); empty: the largest
+  /// A series' id as listSeries gives it, or its seriesKey(); empty: the first by SeriesChoice.h.
+  std::string series = {};
   /// A time point, from 1, of a file or series that holds several volumes of one place; unset: the first, or that of
   /// `series`.
   std::optional<int> time = {};
@@ -93,6 +95,15 @@ struct OpenOptions {
   Progress progress = {};  ///< may be empty
 };
 
+/// What names the patient of a DICOM series, as its first file says; empty where it says nothing. For the corner text
+/// of pictures and the list of series on screen alone: never for files, logs or titles.
+struct PatientText {
+  std::string name;       ///< "Family^Given^Middle^Prefix^Suffix"
+  std::string id, sex;    ///< "F", "M" or "O"
+  std::string birthDate;  ///< YYYYMMDD
+  bool isEmpty() const { return name.empty() && id.empty() && sex.empty() && birthDate.empty(); }
+};
+
 /// A stack of images that forms one volume. `id` tells stacks of one SeriesInstanceUID apart ("UID", "UID#2", …; an
 /// empty UID reads "no-uid"); outside DICOM it is the file's name ("NAME", and "NAME#2", … for later time points).
 struct SeriesInfo {
@@ -105,15 +116,16 @@ struct SeriesInfo {
   int time = 0, times = 0;  ///< which of how many time points, from 1; 0: it is the only one
   std::string study;        ///< StudyDescription; may hold anything the operator typed
   std::string date;         ///< of the series, or else of the study, YYYYMMDD; empty outside DICOM
-};
 
-/// What names the patient of a DICOM series, as its first file says; empty where it says nothing. For the corner text
-/// of pictures on screen alone: never for files, logs or titles.
-struct PatientText {
-  std::string name;       ///< "Family^Given^Middle^Prefix^Suffix"
-  std::string id, sex;    ///< "F", "M" or "O"
-  std::string birthDate;  ///< YYYYMMDD
-  bool isEmpty() const { return name.empty() && id.empty() && sex.empty() && birthDate.empty(); }
+  // What only DICOM says; of the first image.
+  std::optional<std::int64_t> number;  ///< SeriesNumber
+  std::string imageType;               ///< Image Type or Frame Type, "ORIGINAL\PRIMARY\AXIAL"
+  std::string sopClass;                ///< UID
+  std::string kernel;                  ///< reconstruction kernel of CT; empty when not said
+  double step = 0.0;                   ///< mm between slices; 0 for one slice, or where places are unknown
+  double thickness = 0.0;              ///< mm, of a slice; 0 when not said
+  bool plausible = true;               ///< false: its geometry is none that a scanner has, and it cannot be opened
+  PatientText patient;
 };
 
 /// A segmentation that lies beside a DICOM series and belongs to it; openLabels opens its file.
@@ -130,6 +142,9 @@ struct VolumeInfo {
   SeriesInfo series;
   PatientText patient;
   std::vector<SeriesInfo> otherSeries;
+  /// Why `series` opens first of several, "the thinnest acquired volume, 1.0 mm"; empty: another one does, or all are
+  /// alike.
+  std::string reason;
   std::vector<SegmentationInfo> segmentations;  ///< of the series, among the files that were opened with it
   std::optional<Modality> modality;             ///< told by OpenOptions or recognised; unset: the file's own
   std::optional<GeometryReport> geometry;  ///< of a series whose slices do not lie straight behind each other, evenly

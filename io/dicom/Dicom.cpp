@@ -7,12 +7,13 @@
 
 #include "io/base/Contents.h"
 #include "io/base/PlausibleGrid.h"
+#include "io/base/SeriesChoice.h"
 #include "io/base/VoxelSink.h"
-#include "io/dicom/DicomHeader.h"
 #include "io/dicom/DicomRemarks.h"
 #include "io/dicom/DicomScan.h"
 #include "io/dicom/DicomStack.h"
 #include "io/dicom/DicomVoxels.h"
+#include "io/dicom/ImageParts.h"
 #include "io/dicom/LabelObject.h"
 #include "io/dicom/PackedFiles.h"
 #include "io/dicom/Placement.h"
@@ -29,6 +30,33 @@ struct Candidate {
   SeriesInfo info;
   DicomStack stack;
 };
+
+/// All but the id.
+SeriesInfo describe(const DicomStack& stack, const std::vector<DicomFile>& files) {
+  const DicomFrame& frame = stack.frames.front();
+  const DicomFile& first = files[frame.file];
+  SeriesInfo info;
+  info.modality = first.modality;
+  info.description = first.description;
+  info.study = first.study;
+  info.date = first.date;
+  info.dims = stack.grid.dims;
+  info.part = stack.part;
+  info.time = stack.time;
+  info.times = stack.times;
+  info.number = first.seriesNumber;
+  info.imageType = frame.frameType.empty() ? first.imageType : frame.frameType;
+  info.sopClass = first.sopClass;
+  info.kernel = kernelOf(frame.parts);
+  info.step = stack.grid.dims.z > 1 && frame.hasGeometry ? stack.grid.spacing.z : 0.0;
+  info.thickness = frame.thickness;
+  info.plausible = !implausibility(stack.grid);
+  info.patient = first.patient;
+  std::set<std::size_t> listed;
+  for (const DicomFrame& each : stack.frames)
+    if (listed.insert(each.file).second) info.files.push_back(files[each.file].path);
+  return info;
+}
 
 /// All volumes of a scan, series by series in the order their first files have; the largest of a series first.
 std::vector<Candidate> candidatesOf(const DicomScan& scan) {
@@ -47,41 +75,26 @@ std::vector<Candidate> candidatesOf(const DicomScan& scan) {
         }
     std::vector<DicomStack> stacks = stackFrames(frames, scan.files);
     for (std::size_t n = 0; n < stacks.size(); ++n) {
-      Candidate candidate;
-      const DicomFile& first = scan.files[stacks[n].frames.front().file];
-      candidate.info.id = (uid.empty() ? "no-uid" : uid) + (n == 0 ? "" : "#" + std::to_string(n + 1));
-      candidate.info.modality = first.modality;
-      candidate.info.description = first.description;
-      candidate.info.study = first.study;
-      candidate.info.date = first.date;
-      candidate.info.dims = stacks[n].grid.dims;
-      candidate.info.part = stacks[n].part;
-      candidate.info.time = stacks[n].time;
-      candidate.info.times = stacks[n].times;
-      std::set<std::size_t> listed;
-      for (const DicomFrame& frame : stacks[n].frames)
-        if (listed.insert(frame.file).second) candidate.info.files.push_back(scan.files[frame.file].path);
-      candidate.stack = std::move(stacks[n]);
-      candidates.push_back(std::move(candidate));
+      SeriesInfo info = describe(stacks[n], scan.files);
+      info.id = (uid.empty() ? "no-uid" : uid) + (n == 0 ? "" : "#" + std::to_string(n + 1));
+      candidates.push_back({std::move(info), std::move(stacks[n])});
     }
   }
   return candidates;
 }
 
-/// The series that the options name; otherwise the largest volume whose geometry is plausible.
+SeriesChoice firstOf(const std::vector<Candidate>& candidates) {
+  std::vector<SeriesInfo> series;
+  for (const Candidate& candidate : candidates) series.push_back(candidate.info);
+  return firstSeries(series);
+}
+
+/// The series that the options name; otherwise the first by the rule.
 std::size_t chosenSeries(const std::vector<Candidate>& candidates, const fs::path& path, const std::string& id) {
-  std::optional<std::size_t> largest;
-  for (std::size_t i = 0; i < candidates.size(); ++i) {
-    const Grid& grid = candidates[i].stack.grid;
-    if (!id.empty()) {
-      if (candidates[i].info.id == id || seriesKey(candidates[i].info.id) == id) return i;
-    } else if (!implausibility(grid) &&
-               (!largest || grid.voxelCount() > candidates[*largest].stack.grid.voxelCount())) {
-      largest = i;
-    }
-  }
-  if (!id.empty()) throw Error(path, "has no series " + id, "list its series with: fenestra-cli info " + path.string());
-  return largest.value_or(0);
+  if (id.empty()) return firstOf(candidates).index;
+  for (std::size_t i = 0; i < candidates.size(); ++i)
+    if (candidates[i].info.id == id || seriesKey(candidates[i].info.id) == id) return i;
+  throw Error(path, "has no series " + id, "list its series with: fenestra-cli info " + path.string());
 }
 
 /// chosenSeries, or the wanted one among the time points beside it.
@@ -200,7 +213,8 @@ OpenedVolume openScanned(const fs::path& path, const OpenOptions& options, Packe
                                   {.progress = options.progress, .from = pixelsShare, .to = 1.0}, *volume);
     opened.volume = std::move(volume);
     opened.format = "DICOM";
-    opened.patient = readPatientText(first.path);
+    opened.patient = first.patient;
+    if (const SeriesChoice rule = firstOf(candidates); rule.index == choice) opened.reason = rule.reason;
     if (opened.geometry) opened.warnings = opened.geometry->findings;
     opened.warnings.insert(opened.warnings.end(), stack.warnings.begin(), stack.warnings.end());
     addSegmentations(scan, stack, opened);

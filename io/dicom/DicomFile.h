@@ -102,6 +102,9 @@ struct DicomFile {
   std::string sopClass, instance, series, modality, description, unit;
   std::string study, date;  ///< description of the study; YYYYMMDD of the series, or else of the study
   std::string studyUid;
+  std::optional<std::int64_t> seriesNumber;
+  std::string imageType;
+  PatientText patient;
   std::string refusal;                             ///< why this is no scalar image; empty when it is one
   std::shared_ptr<const DicomLabelObject> labels;  ///< of a segmentation or structure set
   PixelFormat format;

@@ -187,15 +187,22 @@ unsigned assumedOf(DcmItem& dataset, const DicomFile& file) {
   return bits;
 }
 
-}  // namespace
-
-PatientText readPatientText(const fs::path& path) {
-  DcmFileFormat fileFormat;
-  loadHeader(path, fileFormat);
-  DcmDataset& dataset = *fileFormat.getDataset();
-  return {typedTextOf(dataset, DCM_PatientName), typedTextOf(dataset, DCM_PatientID), textOf(dataset, DCM_PatientSex),
-          textOf(dataset, DCM_PatientBirthDate)};
+/// What the image says about the series and the patient that it belongs to.
+void describeSeries(DcmItem& dataset, DicomFile& file) {
+  file.series = textOf(dataset, DCM_SeriesInstanceUID);
+  file.studyUid = textOf(dataset, DCM_StudyInstanceUID);
+  file.modality = textOf(dataset, DCM_Modality);
+  file.description = typedTextOf(dataset, DCM_SeriesDescription);
+  file.study = typedTextOf(dataset, DCM_StudyDescription);
+  file.date = textOf(dataset, DCM_SeriesDate);
+  if (file.date.empty()) file.date = textOf(dataset, DCM_StudyDate);
+  file.seriesNumber = integerOf(dataset, DCM_SeriesNumber);
+  file.imageType = textOf(dataset, DCM_ImageType);
+  file.patient = {typedTextOf(dataset, DCM_PatientName), typedTextOf(dataset, DCM_PatientID),
+                  textOf(dataset, DCM_PatientSex), textOf(dataset, DCM_PatientBirthDate)};
 }
+
+}  // namespace
 
 DicomFile readDicomHeader(const fs::path& path) {
   DcmFileFormat fileFormat;
@@ -208,14 +215,8 @@ DicomFile readDicomHeader(const fs::path& path) {
     throw Error(path, "its DICOM header names no object", "the file is truncated or damaged");
   file.sopClass = sopClass;
   file.instance = textOf(dataset, DCM_SOPInstanceUID);
-  file.series = textOf(dataset, DCM_SeriesInstanceUID);
-  file.studyUid = textOf(dataset, DCM_StudyInstanceUID);
   file.acrNema = textOf(dataset, DCM_RETIRED_RecognitionCode).starts_with("ACR-NEMA");
-  file.modality = textOf(dataset, DCM_Modality);
-  file.description = typedTextOf(dataset, DCM_SeriesDescription);
-  file.study = typedTextOf(dataset, DCM_StudyDescription);
-  file.date = textOf(dataset, DCM_SeriesDate);
-  if (file.date.empty()) file.date = textOf(dataset, DCM_StudyDate);
+  describeSeries(dataset, file);
 
   file.transferSyntax = dataset.getOriginalXfer();
   file.syntaxUid = textOf(*fileFormat.getMetaInfo(), DCM_TransferSyntaxUID);

@@ -10,7 +10,5 @@ namespace fenestra::io {
 
 /// Throws Error when the file is no DICOM file or its header is damaged.
 DicomFile readDicomHeader(const std::filesystem::path& path);
-/// Throws Error as readDicomHeader.
-PatientText readPatientText(const std::filesystem::path& path);
 
 }  // namespace fenestra::io

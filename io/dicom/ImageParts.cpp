@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdio>
 #include <cstring>
+#include <string_view>
 #include <utility>
 
 #include "io/base/Text.h"
@@ -25,6 +26,8 @@ struct Row {
   std::vector<Source> sources = {};                        ///< the first with a value counts
   std::string (*own)(const Scopes&, int index) = nullptr;  ///< what no plain attribute gives; before the sources
 };
+
+constexpr const char* kernelName = "reconstruction kernel";
 
 std::string numberText(double value) {
   char text[32];
@@ -144,7 +147,7 @@ const std::vector<Row>& rows() {
       {{"magnetization transfer", "", Always}, false, {{DCM_MRModifierSequence, DCM_MagnetizationTransfer}}},
       {{"tube voltage", "kV", Always}, true, {{DCM_CTXRayDetailsSequence, DCM_KVP}, {dataset, DCM_KVP}}},
       {{"energy weighting", "", Always}, true, {{dataset, DCM_EnergyWeightingFactor}}},
-      {{"reconstruction kernel", "", Always},
+      {{kernelName, "", Always},
        false,
        {{DCM_CTReconstructionSequence, DCM_ConvolutionKernel}, {dataset, DCM_ConvolutionKernel}}},
       {{"contrast phase", "", Always},
@@ -219,6 +222,13 @@ std::vector<std::string> partsOf(const Scopes& scopes, int index) {
     values.push_back(std::move(value));
   }
   return values;
+}
+
+std::string kernelOf(const std::vector<std::string>& parts) {
+  const std::vector<PartingAttribute>& attributes = partingAttributes();
+  for (std::size_t i = 0; i < std::min(parts.size(), attributes.size()); ++i)
+    if (std::string_view(attributes[i].name) == kernelName) return parts[i];
+  return {};
 }
 
 std::string partText(std::size_t attribute, const std::string& value) {

@@ -29,6 +29,9 @@ const std::vector<PartingAttribute>& partingAttributes();
 /// The values of the attributes for frame `index` (from 0) of a file, in their order; empty where they are not given.
 std::vector<std::string> partsOf(const Scopes& scopes, int index);
 
+/// The reconstruction kernel among the values of partsOf.
+std::string kernelOf(const std::vector<std::string>& parts);
+
 /// "echo time 4.92 ms"; "no echo time" for an empty value.
 std::string partText(std::size_t attribute, const std::string& value);
 

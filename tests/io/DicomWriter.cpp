@@ -113,6 +113,10 @@ void writeDicom(const std::filesystem::path& path, const DicomSpec& spec) {
   if (!spec.study.empty()) put(dataset, DCM_StudyDescription, spec.study);
   if (!spec.date.empty()) put(dataset, DCM_SeriesDate, spec.date);
   if (!spec.accessionNumber.empty()) put(dataset, DCM_AccessionNumber, spec.accessionNumber);
+  if (!spec.seriesNumber.empty()) put(dataset, DCM_SeriesNumber, spec.seriesNumber);
+  if (!spec.imageType.empty()) put(dataset, DCM_ImageType, spec.imageType);
+  if (!spec.thickness.empty()) put(dataset, DCM_SliceThickness, spec.thickness);
+  if (!spec.kernel.empty()) put(dataset, DCM_ConvolutionKernel, spec.kernel);
   put(dataset, DCM_FrameOfReferenceUID, spec.frameOfReference);
   put(dataset, DCM_InstanceNumber, std::to_string(spec.instanceNumber));
   put(dataset, DCM_AcquisitionNumber, std::to_string(spec.acquisitionNumber));

@@ -27,6 +27,7 @@ struct DicomSpec {
   std::string modality = "CT";
   std::string description;
   std::string patientName, patientId, birthDate, sex, accessionNumber, study, date;
+  std::string seriesNumber, imageType, thickness, kernel;
   Syntax syntax = Syntax::ExplicitLittle;
   int columns = 4, rows = 3;
   int bitsAllocated = 16, bitsStored = 16, highBit = 15;
