@@ -44,7 +44,7 @@ Option addSource(Command command, io::DataRequest& request, std::function<void()
 
 /// Which of the volumes in PATH.
 void addSeries(Command command, io::DataRequest& request, Option phantom) {
-  command.addValue("--series", request.series, "the series' UID; the largest series otherwise")
+  command.addValue("--series", request.series, "the series' UID; the thinnest acquired volume otherwise")
       .as("UID")
       .excludes(phantom);
   command

@@ -30,16 +30,6 @@ QString describe(const io::SeriesInfo& series) {
       .trimmed();
 }
 
-double voxelsOf(const io::SeriesInfo& series) {
-  return static_cast<double>(series.dims.x) * series.dims.y * series.dims.z;
-}
-
-/// No other series of the study has as many voxels.
-bool isLargest(const io::Study& study) {
-  return std::all_of(study.otherSeries.begin(), study.otherSeries.end(),
-                     [&](const io::SeriesInfo& other) { return voxelsOf(other) < voxelsOf(study.series); });
-}
-
 /// A warning as the window says it. What a reader adds for the command line, in a last clause, has a menu here.
 io::Warning inTheWindow(io::Warning warning) {
   if (warning.text == segmentation::tableNotice) {
@@ -82,14 +72,14 @@ void StudyNotices::offerSeries() {
   const io::Study& study = workspace_.document.study();
   if (study.otherSeries.empty() || study.restoresSession) return;
   const int count = static_cast<int>(study.otherSeries.size()) + 1;
-  notices_.add(
-      NoticeBar::Kind::Offer, NoticeBar::Subject::Study,
+  QStringList open{describe(study.series)};
+  if (!study.reason.empty()) open << QString::fromStdString(study.reason);
+  const QString text =
       study.series.times > 1
           ? tr("There are %n time points here; this is number %1.", nullptr, study.series.times).arg(study.series.time)
-          : (isLargest(study) ? tr("There are %n series here; open is the one of most voxels, %1.", nullptr, count)
-                              : tr("There are %n series here; open is %1.", nullptr, count))
-                .arg(describe(study.series)),
-      {{tr("Choose…"), [this] { files_.chooseSeries(); }}});
+          : tr("There are %n series here; open is %1.", nullptr, count).arg(open.join(QStringLiteral(", ")));
+  notices_.add(NoticeBar::Kind::Offer, NoticeBar::Subject::Study, text,
+               {{tr("Choose…"), [this] { files_.chooseSeries(); }}});
 }
 
 void StudyNotices::offerSegmentations() {

@@ -94,6 +94,9 @@ Json describe(const io::SeriesInfo& series, bool descriptions) {
   Json json{
       {"id", series.id}, {"modality", series.modality}, {"dims", list(series.dims)}, {"files", series.files.size()}};
   if (!series.part.empty()) json["part"] = series.part;
+  if (series.number) json["number"] = *series.number;
+  if (series.thickness > 0.0) json["thickness"] = series.thickness;
+  if (!series.kernel.empty()) json["kernel"] = series.kernel;
   if (descriptions) json["description"] = series.description;
   return json;
 }

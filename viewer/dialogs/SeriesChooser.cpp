@@ -1,5 +1,7 @@
 #include "viewer/dialogs/SeriesChooser.h"
 
+#include <cmath>
+
 #include <QDialogButtonBox>
 #include <QPixmap>
 #include <QVBoxLayout>
@@ -23,37 +25,79 @@ QString descriptionOf(const io::SeriesInfo& series) {
   return SeriesChooser::tr("%1 time point %2 of %3").arg(description).arg(series.time).arg(series.times).trimmed();
 }
 
+/// "1.5 mm", and the step between slices where it is another one.
+QString thicknessOf(const io::SeriesInfo& series) {
+  constexpr double alike = 0.01;  // mm: headers round to it
+  const auto text = [](double millimetres) {
+    return SeriesChooser::tr("%1 mm").arg(QString::number(millimetres, 'g', 3));
+  };
+  if (series.thickness <= 0.0)
+    return series.step > 0.0 ? SeriesChooser::tr("every %1").arg(text(series.step)) : QString();
+  if (series.step <= 0.0 || std::abs(series.step - series.thickness) < alike) return text(series.thickness);
+  return SeriesChooser::tr("%1, every %2").arg(text(series.thickness), text(series.step));
+}
+
+/// What the list calls the patient of each series; empty where that tells nothing.
+QStringList patientsOf(const std::vector<io::SeriesInfo>& series, bool hidden) {
+  QStringList titles;
+  for (const io::SeriesInfo& each : series) titles << patientTitle(each.patient);
+  QStringList all = titles;
+  all.removeDuplicates();
+  if (!hidden) return titles;
+  for (QString& title : titles)
+    title = all.size() > 1 ? SeriesChooser::tr("Patient %1").arg(all.indexOf(title) + 1) : QString();
+  return titles;
+}
+
+QStringList headers() {
+  return {SeriesChooser::tr("Picture"),   SeriesChooser::tr("Patient"), SeriesChooser::tr("No."),
+          SeriesChooser::tr("Type"),      SeriesChooser::tr("Date"),    SeriesChooser::tr("Description"),
+          SeriesChooser::tr("Thickness"), SeriesChooser::tr("Kernel"),  SeriesChooser::tr("Size"),
+          SeriesChooser::tr("Images")};
+}
+
+void describe(const io::SeriesInfo& series, QTreeWidgetItem& row) {
+  if (series.number) row.setText(SeriesChooser::Number, QString::number(*series.number));
+  row.setText(SeriesChooser::Type, QString::fromStdString(series.modality));
+  row.setText(SeriesChooser::Date, dateText(series.date));
+  row.setText(SeriesChooser::Description, descriptionOf(series));
+  row.setToolTip(SeriesChooser::Description, QString::fromStdString(series.study));
+  row.setText(SeriesChooser::Thickness, thicknessOf(series));
+  row.setText(SeriesChooser::Kernel, QString::fromStdString(series.kernel));
+  row.setText(SeriesChooser::Size, QStringLiteral("%1×%2×%3").arg(series.dims.x).arg(series.dims.y).arg(series.dims.z));
+  row.setText(SeriesChooser::Images, QString::number(series.files.size()));
+  row.setData(0, Qt::UserRole, QString::fromStdString(series.id));
+}
+
 }  // namespace
 
-SeriesChooser::SeriesChooser(const io::Study& study, QWidget* parent) : QDialog(parent), open_(study.series.id) {
+SeriesChooser::SeriesChooser(const io::Study& study, bool hidesPatient, QWidget* parent)
+    : QDialog(parent), open_(study.series.id) {
   setWindowTitle(tr("Choose a series"));
   list_ = new QTreeWidget;
   list_->setRootIsDecorated(false);
   list_->setIconSize({pictureSide, pictureSide});
-  list_->setHeaderLabels({tr("Picture"), tr("Type"), tr("Date"), tr("Description"), tr("Size"), tr("Images")});
+  list_->setHeaderLabels(headers());
   // Rows have their height before the pictures are there, so that nothing moves under the pointer.
   QPixmap blank(list_->iconSize() * devicePixelRatio());
   blank.setDevicePixelRatio(devicePixelRatio());
   blank.fill(Qt::transparent);
   const std::vector<io::SeriesInfo> all = allSeries(study);
-  for (const io::SeriesInfo& series : all) {
+  const QStringList patients = patientsOf(all, hidesPatient);
+  for (std::size_t i = 0; i < all.size(); ++i) {
     auto* row = new QTreeWidgetItem(list_);
-    row->setIcon(0, blank);
-    row->setText(1, QString::fromStdString(series.modality));
-    row->setText(2, dateText(series.date));
-    row->setText(3, descriptionOf(series));
-    row->setToolTip(3, QString::fromStdString(series.study));
-    row->setText(4, QStringLiteral("%1×%2×%3").arg(series.dims.x).arg(series.dims.y).arg(series.dims.z));
-    row->setText(5, QString::number(series.files.size()));
-    row->setData(0, Qt::UserRole, QString::fromStdString(series.id));
+    row->setIcon(Picture, blank);
+    row->setText(Patient, patients[static_cast<qsizetype>(i)]);
+    describe(all[i], *row);
   }
+  list_->setColumnHidden(Patient, patients.join(QString()).isEmpty());
   list_->setCurrentItem(list_->topLevelItem(0));
   for (int column = 0; column < list_->columnCount(); ++column) list_->resizeColumnToContents(column);
   thumbnails_ = new Thumbnails(all, static_cast<int>(pictureSide * devicePixelRatio()), this);
   connect(thumbnails_, &Thumbnails::made, this, [this](int index, const QImage& made) {
     QPixmap picture = QPixmap::fromImage(made);
     picture.setDevicePixelRatio(devicePixelRatio());
-    list_->topLevelItem(index)->setIcon(0, picture);
+    list_->topLevelItem(index)->setIcon(Picture, picture);
   });
 
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Open | QDialogButtonBox::Cancel);
@@ -63,7 +107,7 @@ SeriesChooser::SeriesChooser(const io::Study& study, QWidget* parent) : QDialog(
   auto* column = new QVBoxLayout(this);
   column->addWidget(list_);
   column->addWidget(buttons);
-  resize(720, 420);
+  resize(960, 420);
 }
 
 std::optional<std::string> SeriesChooser::chosen() const {

@@ -15,7 +15,10 @@ namespace fenestra::viewer {
 class SeriesChooser : public QDialog {
   Q_OBJECT
  public:
-  explicit SeriesChooser(const io::Study& study, QWidget* parent = nullptr);
+  enum Column { Picture, Patient, Number, Type, Date, Description, Thickness, Kernel, Size, Images, Columns };
+
+  /// With hidden names, patients are told apart by numbers, and only where there are several.
+  explicit SeriesChooser(const io::Study& study, bool hidesPatient = false, QWidget* parent = nullptr);
 
   QTreeWidget* list() const { return list_; }
   /// The id of the series that is selected; empty when it is the one that is open.

@@ -42,6 +42,7 @@ FileOpener::FileOpener(QWidget& window, Workspace& workspace, StudyLoader& loade
       document_(workspace.document),
       preferences_(workspace.preferences),
       cameras_(workspace.cameras),
+      options_(workspace.options),
       loader_(loader),
       sessions_(sessions),
       notices_(notices) {}
@@ -126,7 +127,7 @@ void FileOpener::chooseLabels() {
 }
 
 void FileOpener::chooseSeries() {
-  SeriesChooser chooser(document_.study(), &window_);
+  SeriesChooser chooser(document_.study(), options_.hidesPatient(), &window_);
   markOfStudy(chooser);
   if (chooser.exec() != QDialog::Accepted) return;
   if (const std::optional<std::string> series = chooser.chosen()) openSeries(*series);

@@ -26,6 +26,7 @@ class NoticeBar;
 class Preferences;
 class Sessions;
 class ViewLink;
+class ViewOptions;
 struct Workspace;
 
 class FileOpener : public QObject {
@@ -59,6 +60,7 @@ class FileOpener : public QObject {
   Document& document_;
   const Preferences& preferences_;
   const ViewLink& cameras_;
+  const ViewOptions& options_;
   StudyLoader& loader_;
   Sessions& sessions_;
   NoticeBar& notices_;

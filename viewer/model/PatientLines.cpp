@@ -45,4 +45,10 @@ QStringList patientLines(const io::PatientText& patient, const io::SeriesInfo& s
   return lines;
 }
 
+QString patientTitle(const io::PatientText& patient) {
+  const QString name = nameText(patient.name), id = trimmed(patient.id);
+  if (name.isEmpty() || id.isEmpty()) return name + id;
+  return QStringLiteral("%1 (%2)").arg(name, id);
+}
+
 }  // namespace fenestra::viewer
