@@ -6,6 +6,7 @@
 
 #include "io/ImageWriter.h"
 #include "tests/cli/CommandLine.h"
+#include "tests/io/DicomWriter.h"
 
 namespace fenestra::tests {
 namespace {
@@ -25,6 +26,31 @@ TEST_F(DataCommands, InfoDescribesThePhantom) {
   EXPECT_EQ(info["dims"][2], 48);
   EXPECT_EQ(info["range"][0], -1000.0);
   EXPECT_EQ(info["warnings"], Json::array());
+}
+
+TEST_F(DataCommands, InfoTellsSeriesApartWithoutNamingThePatient) {
+  const fs::path folder = scratchFolder();
+  for (const std::string& kernel : {std::string("B30f"), std::string()}) {
+    DicomSpec spec;
+    spec.series = kernel.empty() ? "1.2.4" : "1.2.3";
+    spec.instance = spec.series + ".1";
+    spec.kernel = kernel;
+    spec.patientName = "Vermeer^Johanna";
+    spec.patientId = "QX-4711";
+    if (!kernel.empty()) {
+      spec.seriesNumber = "7";
+      spec.thickness = "1.5";
+    }
+    writeDicom(folder / spec.series, spec);
+  }
+  const Result result = run({"info", folder.string()});
+  ASSERT_EQ(result.exitCode, 0) << result.error;
+  const Json series = result.json()["series"], other = result.json()["other_series"][0];
+  EXPECT_EQ(series["number"], 7);
+  EXPECT_EQ(series["thickness"], 1.5);
+  EXPECT_EQ(series["kernel"], "B30f");
+  EXPECT_FALSE(other.contains("number") || other.contains("thickness") || other.contains("kernel")) << other;
+  for (const char* name : {"Vermeer", "QX-4711"}) EXPECT_EQ(result.out.find(name), std::string::npos) << name;
 }
 
 TEST_F(DataCommands, ConvertedVolumesAreTheSameVolume) {

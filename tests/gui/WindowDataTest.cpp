@@ -17,6 +17,7 @@
 #include <QUrl>
 
 #include "io/VolumeWriter.h"
+#include "io/study/ReadStudy.h"
 #include "rendering/segmentation/Couch.h"
 #include "tests/gui/WindowFixture.h"
 #include "tests/io/DicomWriter.h"
@@ -159,17 +160,32 @@ TEST_F(Window, NoticesSpeakOfTheWindowAndNotOfTheCommandLine) {
 }
 
 TEST_F(Window, TheNoteOnSeriesIsTrueOfEachOfThem) {
-  io::Study study = markedBall();
-  study.series.dims = {48, 48, 48};
-  io::SeriesInfo other;
-  other.dims = {10, 10, 10};
-  study.otherSeries = {other};
-  open(study);
-  EXPECT_TRUE(window_->notices().texts().join(QLatin1Char('\n')).contains(QStringLiteral("most voxels")));
-  study.otherSeries.front().dims = {512, 512, 512};
-  open(study);
-  EXPECT_FALSE(window_->notices().texts().join(QLatin1Char('\n')).contains(QStringLiteral("most voxels")));
-  EXPECT_TRUE(window_->notices().texts().join(QLatin1Char('\n')).contains(QStringLiteral("There are 2 series")));
+  const std::filesystem::path folder = tests::scratchFolder() / "two";
+  std::filesystem::create_directories(folder);
+  for (const int step : {1, 3})
+    for (int slice = 0; slice < 20; ++slice) {
+      tests::DicomSpec spec;
+      spec.series = "1.2.3." + std::to_string(step);
+      spec.instance = spec.series + "." + std::to_string(slice);
+      spec.imageType = "ORIGINAL\\PRIMARY\\AXIAL";
+      spec.columns = spec.rows = step == 1 ? 16 : 24;
+      spec.position = glm::dvec3(0, 0, slice * step);
+      tests::writeDicom(folder / (std::to_string(step) + "-" + std::to_string(slice)), spec);
+    }
+  const auto notesOf = [&](const std::string& series) {
+    io::DataRequest request;
+    request.path = folder;
+    request.series = series;
+    open(io::openData(request));
+    return window_->notices().texts().join(QLatin1Char('\n'));
+  };
+  const QString two = QStringLiteral("There are 2 series"),
+                reason = QStringLiteral("the thinnest acquired volume, 1.0 mm");
+  const QString first = notesOf({});
+  EXPECT_TRUE(first.contains(two) && first.contains(reason)) << first.toStdString();
+  const QString other = notesOf("1.2.3.3");
+  EXPECT_TRUE(other.contains(two)) << other.toStdString();
+  EXPECT_FALSE(other.contains(QStringLiteral("thinnest"))) << other.toStdString();
 }
 
 TEST_F(Window, TheMenuSaysWhatTheValuesAre) {
