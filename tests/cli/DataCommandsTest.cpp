@@ -29,7 +29,8 @@ TEST_F(DataCommands, InfoDescribesThePhantom) {
 }
 
 TEST_F(DataCommands, InfoTellsSeriesApartWithoutNamingThePatient) {
-  const fs::path folder = scratchFolder();
+  const fs::path folder = at("dicom");
+  fs::create_directories(folder);
   for (const std::string& kernel : {std::string("B30f"), std::string()}) {
     DicomSpec spec;
     spec.series = kernel.empty() ? "1.2.4" : "1.2.3";

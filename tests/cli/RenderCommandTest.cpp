@@ -37,10 +37,10 @@ TEST_F(RenderCommand, RenderWritesPictureLayersCameraAndStatistics) {
   ASSERT_EQ(stats["passes"].size(), 19u);
   // Without strokes there is nothing to edit, without protected labels nothing to protect; nothing is clipped, no light
   // is hidden, edges are not smooth, and the method stands no cones, keeps nothing faint and has neither levels of
-  // importance nor lens nor walls.
+  // importance nor lens nor walls nor a maximum.
   const std::set<std::string> unused{"important hits", "cones",           "edit map", "occlusion",
                                      "faint layer",    "protected layer", "lens",     "exempt labels",
-                                     "edges",          "edge rays",       "walls"};
+                                     "edges",          "edge rays",       "walls",    "maximum"};
   for (const Json& pass : stats["passes"])
     EXPECT_EQ(pass["runs"], unused.contains(pass["name"].get<std::string>()) ? 0 : 3) << pass["name"];
   EXPECT_EQ(stats["frames_ms"].size(), 3u);
