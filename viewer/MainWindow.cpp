@@ -21,8 +21,8 @@
 #include "viewer/actions/Actions.h"
 #include "viewer/bars/LoadingBar.h"
 #include "viewer/bars/NoticeBar.h"
-#include "viewer/bars/OfStudy.h"
 #include "viewer/bars/StatusBar.h"
+#include "viewer/bars/StudyDialogs.h"
 #include "viewer/bars/WaitingBar.h"
 #include "viewer/exports/Exports.h"
 #include "viewer/exports/PictureExports.h"
@@ -209,7 +209,7 @@ void MainWindow::studyOpened() {
   const io::Study& study = workspace_.document.study();
   pages_->setCurrentWidget(views_);
   notices_->forgetStudy();
-  closeThoseOfStudy(*this);
+  closeStudyDialogs(*this);
   statusBar()->clearMessage();
   tour_->studyOpened();
   sessions_->studyShown();

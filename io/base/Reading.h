@@ -85,7 +85,7 @@ struct OpenOptions {
   /// `series`.
   std::optional<int> time = {};
   std::optional<RawDescription> raw = {};  ///< read PATH as raw bytes
-  /// Of voxels, mm, for a format that may not say it (TIFF); an error for others.
+  /// The size of voxels, mm, for a format that may not say it (TIFF); an error for others.
   std::optional<glm::dvec3> spacing = {};
   /// Whether the header of a detached volume may name voxel files anywhere, not only in its own folder and below.
   bool allowOutside = false;

@@ -100,7 +100,7 @@ TiffPage pageIn(const TiffFile& file) {
   const int photometric = file.tag<std::uint16_t>(TIFFTAG_PHOTOMETRIC, PHOTOMETRIC_MINISBLACK);
   if (samples != 1) refuse(file, "holds colours: " + std::to_string(samples) + " values at each pixel");
   page.type = typeOf(file);
-  // Of floats and signed integers there is no white to count from.
+  // Floats and signed integers have no greatest value that is black: they are never inverted.
   const bool isUnsigned = page.type == ElementType::UInt8 || page.type == ElementType::UInt16 ||
                           page.type == ElementType::UInt32 || page.type == ElementType::UInt64;
   page.whiteIsZero = photometric == PHOTOMETRIC_MINISWHITE && isUnsigned;

@@ -17,7 +17,7 @@
 #include "tests/gui/WindowFixture.h"
 #include "tests/support/TestData.h"
 #include "viewer/bars/NoticeBar.h"
-#include "viewer/bars/OfStudy.h"
+#include "viewer/bars/StudyDialogs.h"
 #include "viewer/files/Sessions.h"
 #include "viewer/panels/CamerasPanel.h"
 #include "viewer/panels/FocusPanel.h"
@@ -208,7 +208,7 @@ TEST_F(StudyChange, WhatSaysSomethingOfTheStudyGoesWithIt) {
   ASSERT_NE(filter, nullptr);
   filter->setText(QStringLiteral("mark"));
   QDialog dialog(window_.get());
-  markOfStudy(dialog);
+  markAsStudyDialog(dialog);
   dialog.show();
   const QString red = QStringLiteral("red");
 

@@ -9,7 +9,7 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
-#include "viewer/bars/OfStudy.h"
+#include "viewer/bars/StudyDialogs.h"
 #include "viewer/model/Paths.h"
 
 namespace fenestra::viewer {
@@ -41,7 +41,7 @@ QString namesOf(const std::vector<std::filesystem::path>& files) {
 void showDetails(QWidget* window, const QString& title, const QString& text, const QString& details) {
   QMessageBox box(QMessageBox::Information, title, text, QMessageBox::Close, window);
   box.setDetailedText(details);
-  markOfStudy(box);
+  markAsStudyDialog(box);
   box.exec();
 }
 

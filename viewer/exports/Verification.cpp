@@ -14,7 +14,7 @@
 #include "io/study/SessionData.h"
 #include "rendering/volume/Threads.h"
 #include "viewer/bars/NoticeBar.h"
-#include "viewer/bars/OfStudy.h"
+#include "viewer/bars/StudyDialogs.h"
 #include "viewer/exports/PictureFile.h"
 #include "viewer/model/Document.h"
 #include "viewer/model/Paths.h"
@@ -119,7 +119,7 @@ void Verification::show(const Result& result) {
                               QMessageBox::Close, &window_);
   box->setAttribute(Qt::WA_DeleteOnClose);
   box->setModal(false);
-  markOfStudy(*box);
+  markAsStudyDialog(*box);
   box->setInformativeText(detailsOf(result.certificate));
   box->setTextInteractionFlags(Qt::TextSelectableByMouse);
   const QPushButton* save = box->addButton(tr("&Save the picture…"), QMessageBox::AcceptRole);

@@ -12,7 +12,7 @@
 #include "io/study/Interpret.h"
 #include "io/study/ReadStudy.h"
 #include "viewer/bars/NoticeBar.h"
-#include "viewer/bars/OfStudy.h"
+#include "viewer/bars/StudyDialogs.h"
 #include "viewer/dialogs/SeriesChooser.h"
 #include "viewer/dialogs/SpacingDialog.h"
 #include "viewer/files/Sessions.h"
@@ -128,7 +128,7 @@ void FileOpener::chooseLabels() {
 
 void FileOpener::chooseSeries() {
   SeriesChooser chooser(document_.study(), options_.hidesPatient(), &window_);
-  markOfStudy(chooser);
+  markAsStudyDialog(chooser);
   if (chooser.exec() != QDialog::Accepted) return;
   if (const std::optional<std::string> series = chooser.chosen()) openSeries(*series);
 }

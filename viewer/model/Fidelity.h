@@ -15,7 +15,7 @@
 
 namespace fenestra::viewer {
 
-/// Of a cause, and, as the worst of its causes, of a picture.
+/// How far a cause takes the picture from the data; a picture has the grade of its worst cause.
 enum class Fidelity : std::uint8_t {
   Faithful,  ///< the data as they are in the file, to half a step of a screen's colours
   Bounded,   ///< a known bound holds

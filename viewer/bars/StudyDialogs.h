@@ -7,13 +7,13 @@
 
 namespace fenestra::viewer {
 
-inline constexpr const char* ofStudyKey = "ofStudy";
+inline constexpr const char* studyDialogKey = "studyDialog";
 
-inline void markOfStudy(QDialog& dialog) { dialog.setProperty(ofStudyKey, true); }
+inline void markAsStudyDialog(QDialog& dialog) { dialog.setProperty(studyDialogKey, true); }
 
-inline void closeThoseOfStudy(const QWidget& window) {
+inline void closeStudyDialogs(const QWidget& window) {
   for (QDialog* dialog : window.findChildren<QDialog*>())
-    if (dialog->property(ofStudyKey).toBool()) dialog->reject();
+    if (dialog->property(studyDialogKey).toBool()) dialog->reject();
 }
 
 }  // namespace fenestra::viewer
