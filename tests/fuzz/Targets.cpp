@@ -3,16 +3,21 @@
 #include <unistd.h>
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <cstdio>
 #include <cstdlib>
 #include <stdexcept>
 
 #include "io/LabelReader.h"
+#include "io/LabelTable.h"
 #include "io/TransferFunctionFile.h"
 #include "io/VolumeReader.h"
+#include "io/dicom/ByteCodecs.h"
+#include "io/dicom/CodecError.h"
 #include "io/session/LookFile.h"
 #include "io/session/SessionFile.h"
 #include "io/session/StrokeFile.h"
+#include "tests/io/IoTesting.h"
 
 namespace fenestra::fuzz {
 namespace fs = std::filesystem;
@@ -22,10 +27,66 @@ void openAsVolume(const fs::path& file) { io::openVolume(file); }
 
 void openTiff(const fs::path& file) { io::openVolume(file, {.spacing = glm::dvec3(0.1)}); }
 
-void openAsLabels(const fs::path& file) {
-  Grid target;
-  target.dims = {7, 6, 5};
-  io::openLabels(file, target);
+Grid smallGrid() {
+  Grid grid;
+  grid.dims = {7, 6, 5};
+  return grid;
+}
+
+void openAsLabels(const fs::path& file) { io::openLabels(file, smallGrid()); }
+void openLabelTable(const fs::path& file) { io::readLabelTable(file); }
+
+/// The files of an input that packFolder() wrote, in a folder beside it; `ending` gives them their kind. A size that
+/// reaches beyond the input is that of what remains.
+fs::path unpacked(const fs::path& file, const std::string& ending) {
+  constexpr std::size_t mostFiles = 24, sizeBytes = 4;
+  const fs::path folder = file.parent_path() / "folder";
+  fs::remove_all(folder);
+  fs::create_directories(folder);
+  const std::string bytes = tests::readFile(file);
+  std::size_t at = 0;
+  for (std::size_t number = 1; number <= mostFiles && at + sizeBytes < bytes.size(); ++number) {
+    std::size_t size = 0;
+    for (std::size_t i = 0; i < sizeBytes; ++i)
+      size |= std::size_t{static_cast<unsigned char>(bytes[at + i])} << (8 * i);
+    at += sizeBytes;
+    size = std::min(size, bytes.size() - at);
+    tests::writeFile(folder / ("part" + std::to_string(number) + ending), bytes.substr(at, size));
+    at += size;
+  }
+  return folder;
+}
+
+/// Every volume of the folder, as a user who looks at one after another.
+void openDicomSeries(const fs::path& file) {
+  const fs::path folder = unpacked(file, ".dcm");
+  for (const io::SeriesInfo& series : io::listSeries(folder)) {
+    try {
+      io::openVolume(folder, {.series = series.id});
+    } catch (const io::Error&) {
+    }
+  }
+}
+void openTiffFolder(const fs::path& file) { io::openVolume(unpacked(file, ".tif"), {.spacing = glm::dvec3(0.1)}); }
+void openMasks(const fs::path& file) { io::openLabels(unpacked(file, ".nii"), smallGrid()); }
+
+/// The first byte chooses the decoder and the bits of a pixel, the second one the number of pixels.
+void decodeBytes(const fs::path& file) {
+  const std::string input = tests::readFile(file);
+  if (input.size() < 2) return;
+  const auto first = static_cast<unsigned char>(input[0]), second = static_cast<unsigned char>(input[1]);
+  constexpr std::array decoders{+[](std::span<const std::uint8_t> bytes, const io::PixelFormat& format,
+                                    std::span<std::byte> words) { io::decodeRle(bytes, format, words); },
+                                &io::decodeEncapsulated, &io::decodeElscint};
+  io::PixelFormat format;
+  format.bitsAllocated = 8 << (first / 3 % 3);
+  std::vector<std::byte> words(static_cast<std::size_t>(format.bitsAllocated) / 8 * (second + 1u));
+  const std::vector<std::uint8_t> bytes(input.begin() + 2, input.end());
+  try {
+    decoders[first % decoders.size()](bytes, format, words);
+  } catch (const io::CodecError& error) {
+    throw io::Error(file, error.what(), "");
+  }
 }
 
 void openSession(const fs::path& file) { io::readSession(file); }
@@ -40,13 +101,23 @@ void openTransferFunction(const fs::path& file) {
   io::loadContextFunction(file.string(), volume);
 }
 
-constexpr std::array all{
-    Target{"dicom", "input.dcm", openAsVolume},       Target{"nifti", "input.nii", openAsVolume},
-    Target{"nrrd", "input.nrrd", openAsVolume},       Target{"metaimage", "input.mha", openAsVolume},
-    Target{"mgh", "input.mgh", openAsVolume},         Target{"tiff", "input.tif", openTiff},
-    Target{"archive", "input.zip", openAsVolume},     Target{"labels", "input.labels", openAsLabels},
-    Target{"session", "input.fenestra", openSession}, Target{"look", "input.json", openLook},
-    Target{"strokes", "input.json", openStrokes},     Target{"transfer-function", "input.json", openTransferFunction}};
+constexpr std::array all{Target{"dicom", "input.dcm", openAsVolume},
+                         Target{"dicom-series", "input.pack", openDicomSeries},
+                         Target{"byte-codecs", "input.bytes", decodeBytes},
+                         Target{"nifti", "input.nii", openAsVolume},
+                         Target{"nrrd", "input.nrrd", openAsVolume},
+                         Target{"metaimage", "input.mha", openAsVolume},
+                         Target{"mgh", "input.mgh", openAsVolume},
+                         Target{"tiff", "input.tif", openTiff},
+                         Target{"tiff-folder", "input.pack", openTiffFolder},
+                         Target{"archive", "input.zip", openAsVolume},
+                         Target{"labels", "input.labels", openAsLabels},
+                         Target{"label-table", "input.txt", openLabelTable},
+                         Target{"masks", "input.pack", openMasks},
+                         Target{"session", "input.fenestra", openSession},
+                         Target{"look", "input.json", openLook},
+                         Target{"strokes", "input.json", openStrokes},
+                         Target{"transfer-function", "input.json", openTransferFunction}};
 
 /// In memory where the machine has such a folder: a fuzzer writes thousands of files a second.
 class PrivateFolder {
@@ -75,6 +146,20 @@ const Target& targetNamed(std::string_view name) {
   const auto at = std::ranges::find(all, name, &Target::name);
   if (at == all.end()) throw std::out_of_range("no fuzz target " + std::string(name));
   return *at;
+}
+
+std::string packFolder(const fs::path& folder) {
+  std::vector<fs::path> files;
+  for (const auto& entry : fs::directory_iterator(folder))
+    if (entry.is_regular_file()) files.push_back(entry.path());
+  std::ranges::sort(files);
+  std::string packed;
+  for (const fs::path& file : files) {
+    const std::string bytes = tests::readFile(file);
+    for (int shift = 0; shift < 32; shift += 8) packed += static_cast<char>(bytes.size() >> shift & 0xff);
+    packed += bytes;
+  }
+  return packed;
 }
 
 void run(const Target& target, std::span<const std::byte> bytes) {

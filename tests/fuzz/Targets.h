@@ -22,6 +22,10 @@ std::span<const Target> targets();
 /// Throws std::out_of_range.
 const Target& targetNamed(std::string_view name);
 
+/// A folder's files as one input of the targets that open folders: the size of each in four bytes, little-endian, and
+/// its bytes, in the order of their names.
+std::string packFolder(const std::filesystem::path& folder);
+
 /// Writes the bytes to the target's file in a private folder and opens it.
 void run(const Target& target, std::span<const std::byte> bytes);
 
