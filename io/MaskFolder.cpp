@@ -45,6 +45,14 @@ std::optional<Structure> structureIn(const std::vector<std::uint16_t>& values) {
   return structure;
 }
 
+/// A file's mask on `target`. Throws Error for what is no image file, whatever its name.
+LabelsOnGrid maskIn(const fs::path& file, const Grid& target, const Progress& progress, bool allowOutside) {
+  const Format format = formatOf(file);
+  if (format == Format::Dicom || format == Format::Archive)
+    throw Error(file, format == Format::Dicom ? "is DICOM" : "is an archive", "open it as labels by itself");
+  return readImageLabels(file, format, target, progress, allowOutside);
+}
+
 /// Adds a warning, or its files to one of the same text: masks of a folder mostly share what is odd.
 void addWarning(Warning warning, std::vector<Warning>& warnings) {
   const auto same = std::find_if(warnings.begin(), warnings.end(), [&](const Warning& each) {
@@ -98,7 +106,7 @@ LabelsOnGrid readMaskFolder(const fs::path& folder, const Grid& target, const Pr
     const Progress own = partOf(progress, part(i), part(i + 1));
     if (own && !own(0.0, "reading masks")) throw Cancelled();
     try {
-      LabelsOnGrid mask = readImageLabels(files[i], formatOf(files[i]), target, own, allowOutside);
+      LabelsOnGrid mask = maskIn(files[i], target, own, allowOutside);
       std::optional<Structure> structure = structureIn(mask.values);
       if (!structure) {
         leftOut.add(files[i], "holds several labels");
