@@ -6,12 +6,12 @@
 #include <array>
 #include <cmath>
 #include <iostream>
-#include <map>
 #include <set>
 
 #include <gtest/gtest.h>
 
 #include "io/VolumeReader.h"
+#include "tests/io/DifferentialPlaces.h"
 #include "tests/io/GdcmPeer.h"
 #include "tests/support/TestData.h"
 
@@ -21,11 +21,6 @@ using io::Warning;
 
 namespace {
 
-/// A part of a path, and why what lies there differs from GDCM's reading.
-struct Difference {
-  const char* path;
-  const char* why;
-};
 constexpr std::array differences = std::to_array<Difference>({
     {"pixel-formats/12bit", "GDCM reads a mosaic as one picture; its slices are compared in RealDicomTest.cpp"},
     {"enhanced/IM_0027_fMAP", "GDCM rescales all frames as the first; they are compared in RealDicomTest.cpp"},
@@ -97,24 +92,6 @@ std::string differenceOf(const io::OpenedVolume& opened, std::vector<PeerFrame>&
   return {};
 }
 
-bool hasFolders(const fs::path& folder) {
-  const fs::directory_iterator entries(folder);
-  return std::any_of(begin(entries), end(entries), [](const auto& entry) { return entry.is_directory(); });
-}
-
-/// Folders of files alone, and single files where a folder holds unrelated ones.
-std::vector<fs::path> placesBelow(const fs::path& top) {
-  static const std::set<std::string> unrelated{"enhanced", "pixel-formats", "single-ct", "monochrome1", "12bit"};
-  std::set<fs::path> places;
-  for (const auto& entry : fs::recursive_directory_iterator(top)) {
-    if (!entry.is_regular_file()) continue;
-    const fs::path folder = entry.path().parent_path();
-    const bool single = unrelated.contains(folder.filename().string());
-    if (single || !hasFolders(folder)) places.insert(single ? entry.path() : folder);
-  }
-  return {places.begin(), places.end()};
-}
-
 /// The files of all volumes, each once; segmentations are none of them.
 std::vector<fs::path> filesOf(const std::vector<io::SeriesInfo>& series) {
   std::set<fs::path> files;
@@ -122,8 +99,8 @@ std::vector<fs::path> filesOf(const std::vector<io::SeriesInfo>& series) {
   return {files.begin(), files.end()};
 }
 
-struct Counts {
-  int compared = 0, agreeing = 0, explained = 0, unread = 0;
+struct Counts : DifferentialCounts {
+  int unread = 0;
 };
 
 /// All volumes at one place.
@@ -151,10 +128,8 @@ void compareAt(const fs::path& place, Counts& counts) {
       ++counts.agreeing;
       continue;
     }
-    const auto why = std::find_if(differences.begin(), differences.end(), [&](const Difference& difference) {
-      return place.generic_string().find(difference.path) != std::string::npos;
-    });
-    if (why == differences.end()) {
+    const Difference* why = differenceAt(differences, place);
+    if (!why) {
       ADD_FAILURE() << place << ", " << info.id << ": " << found;
       continue;
     }
@@ -168,16 +143,8 @@ void compareAt(const fs::path& place, Counts& counts) {
 TEST(Differential, EveryDicomSeriesIsAsGdcmReadsItOrARowSaysWhyNot) {
   FENESTRA_TEST_DATA_OR_SKIP(dicom, "dicom");
   Counts counts;
-  std::vector<fs::path> tops{dicom};
-  for (const char* more : {"hard", "labelled/totalsegmentator-dicom"})
-    if (const fs::path top = findTestData(more); !top.empty()) tops.push_back(top);
-  for (const auto& [archive, folder] : {std::pair{"visible-human/VHMCT1mm_Head.tar.xz", "VHMCT1mm_Head"},
-                                        std::pair{"dicom/ct-tilt-philips-S21610_S2010.tar.xz", "S21610_S2010"}})
-    if (const fs::path top = unpackTestData(archive, folder); !top.empty()) tops.push_back(top);
-  for (const fs::path& top : tops)
-    for (const fs::path& place : placesBelow(top)) compareAt(place, counts);
-  std::cout << counts.compared << " volumes compared, " << counts.agreeing << " agree, " << counts.explained
-            << " explained; " << counts.unread << " files that GDCM does not read\n";
+  for (const fs::path& place : dicomPlaces()) compareAt(place, counts);
+  std::cout << "volumes: " << counts.text() << "; " << counts.unread << " files that GDCM does not read\n";
   EXPECT_GT(counts.agreeing, 40);
 }
 
