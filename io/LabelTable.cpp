@@ -19,7 +19,9 @@ constexpr std::size_t longestTable = 16u << 20;
 
 std::vector<std::string> linesOf(const fs::path& file) {
   const auto stream = openStream(file, 0, Packing::None);
-  std::string text(longestTable, '\0');
+  std::error_code unknown;
+  const std::uintmax_t size = fs::file_size(file, unknown);
+  std::string text(unknown ? longestTable : std::min<std::uintmax_t>(size, longestTable), '\0');
   text.resize(stream->read(reinterpret_cast<std::byte*>(text.data()), text.size()));
   if (text.starts_with("\xEF\xBB\xBF")) text.erase(0, 3);
   return split(text, '\n');

@@ -54,8 +54,7 @@ std::int64_t chosenLayer(const ImageFile& image, const OpenOptions& options) {
   if (options.series.empty()) return 0;
   for (std::int64_t layer = 0; layer < std::min(image.layers(), mostListed); ++layer)
     if (seriesAt(image, layer).id == options.series) return layer;
-  throw Error(image.path, "has no series " + options.series,
-              "list its series with: fenestra-cli info " + image.path.string());
+  throw Error(image.path, "has no series " + options.series, WayOut::ChooseSeries);
 }
 
 /// Takes a volume whose file names no modality for a CT where its values are those of one, and says so.
@@ -66,9 +65,9 @@ void recogniseCt(const fs::path& path, Volume& volume, OpenedVolume& opened) {
   opened.series.modality = "CT";
   opened.warnings.push_back({Warning::Kind::Recognised,
                              "the file names no modality; its values (" + plainNumber(volume.range.low) + " to " +
-                                 plainNumber(volume.range.high) +
-                                 ") are taken for Hounsfield units of a CT, --modality MR or other says otherwise",
-                             {path}});
+                                 plainNumber(volume.range.high) + ") are taken for Hounsfield units of a CT",
+                             {path},
+                             WayOut::SayModality});
 }
 
 OpenedVolume openImage(ImageFile image, const OpenOptions& options) {
@@ -80,9 +79,9 @@ OpenedVolume openImage(ImageFile image, const OpenOptions& options) {
   if (image.layers() > 1)
     image.warnings.push_back({Warning::Kind::TimePoints,
                               "the file holds " + std::to_string(image.layers()) +
-                                  " volumes (time points or layers); number " + std::to_string(layer + 1) +
-                                  " is shown, --time N chooses another",
-                              {image.path}});
+                                  " volumes (time points or layers); number " + std::to_string(layer + 1) + " is shown",
+                              {image.path},
+                              WayOut::ChooseTime});
   opened.warnings = std::move(image.warnings);
   auto volume = std::make_shared<Volume>();
   volume->grid = image.grid;
@@ -106,7 +105,7 @@ OpenedVolume openImage(ImageFile image, const OpenOptions& options) {
 /// Both take any format but Archive.
 void refuseSpacing(const fs::path& path, Format format, const OpenOptions& options) {
   if (options.spacing && format != Format::Tiff)
-    throw Error(path, "says itself how large its voxels are", "leave out --spacing, which is for TIFF and --raw");
+    throw Error(path, "says itself how large its voxels are", WayOut::OmitVoxelSize);
 }
 std::vector<SeriesInfo> listFormat(const fs::path& path, Format format, const OpenOptions& options) {
   refuseSpacing(path, format, options);
@@ -270,10 +269,7 @@ Format formatOf(const fs::path& path) {
   if (!ending.empty())
     throw Error(path, "is named " + std::string(ending) + " but its content is something else",
                 "the file is damaged or misnamed");
-  throw Error(
-      path, "holds no volume in a known format",
-      "DICOM, NIfTI, NRRD, MetaImage, MGH, Analyze and TIFF are recognised by content; raw voxels need a description "
-      "(--raw)");
+  throw Error(path, "holds no volume in a known format", WayOut::DescribeRaw);
 }
 
 std::vector<SeriesInfo> listSeries(const fs::path& path, const OpenOptions& options) {

@@ -12,6 +12,7 @@
 #include <QTimer>
 #include <QVBoxLayout>
 
+#include "io/study/ReadStudy.h"
 #include "rendering/gpu/FocusIndexing.h"
 #include "rendering/scene/VisibleFraming.h"
 #include "rendering/segmentation/Couch.h"
@@ -49,8 +50,7 @@ void prepare(io::Study& study) {
   SetScene& scene = study.scene;
   if (!scene.table) {
     scene.table = segmentation::tableOf(*scene.volume);
-    if (scene.table->count > 0 && scene.look.hideTable)
-      study.warnings.push_back({io::Warning::Kind::Other, segmentation::tableNotice, {}});
+    if (scene.table->count > 0 && scene.look.hideTable) study.warnings.push_back(io::tableWarning());
   }
   const Scene shown = sceneOf(scene);
   if (!study.view) study.visible = visibleFraming(shownVolume(shown), shown.look.context.shifted());

@@ -8,12 +8,13 @@
 #include <QStatusBar>
 #include <QTimer>
 
-#include "rendering/segmentation/Couch.h"
 #include "viewer/actions/SegmentationMenu.h"
 #include "viewer/bars/NoticeBar.h"
 #include "viewer/files/FileOpener.h"
 #include "viewer/files/Sessions.h"
 #include "viewer/jobs/StudyLoader.h"
+#include "viewer/model/Translation.h"
+#include "viewer/model/WayOutText.h"
 #include "viewer/model/Workspace.h"
 
 namespace fenestra::viewer {
@@ -28,26 +29,6 @@ QString describe(const io::SeriesInfo& series) {
       .arg(series.dims.y)
       .arg(series.dims.z)
       .trimmed();
-}
-
-/// A warning as the window says it. What a reader adds for the command line, in a last clause, has a menu here.
-io::Warning inTheWindow(io::Warning warning) {
-  if (warning.text == segmentation::tableNotice) {
-    warning.text = StudyNotices::tr(
-                       "The scanner's table is left out of 3-D pictures; slices show it. \"Hide the table\" "
-                       "in the panel Context brings it back")
-                       .toStdString();
-    return warning;
-  }
-  const std::size_t option = warning.text.find(", --");
-  if (option == std::string::npos) return warning;
-  warning.text.resize(option);
-  using Kind = io::Warning::Kind;
-  if (warning.kind == Kind::TimePoints)
-    warning.text += StudyNotices::tr("; File → Choose series has the others").toStdString();
-  if (warning.kind == Kind::Recognised)
-    warning.text += StudyNotices::tr("; File → Kind of values says otherwise").toStdString();
-  return warning;
 }
 
 }  // namespace
@@ -73,7 +54,7 @@ void StudyNotices::offerSeries() {
   if (study.otherSeries.empty() || study.restoresSession) return;
   const int count = static_cast<int>(study.otherSeries.size()) + 1;
   QStringList open{describe(study.series)};
-  if (!study.reason.empty()) open << QString::fromStdString(study.reason);
+  if (!study.reason.empty()) open << translated(study.reason);
   const QString text =
       study.series.times > 1
           ? tr("There are %n time points here; this is number %1.", nullptr, study.series.times).arg(study.series.time)
@@ -116,12 +97,12 @@ void StudyNotices::warn() {
     const bool isInReport =
         study.geometry && std::find(study.geometry->findings.begin(), study.geometry->findings.end(), warning) !=
                               study.geometry->findings.end();
-    if (!isInReport) warnings.push_back(inTheWindow(warning));
+    if (!isInReport) warnings.push_back(warning);
   }
   // Recognised data is no problem, so the status bar shows it, and no notice takes room from the pictures.
   for (const io::Warning& warning : warnings)
     if (warning.kind == io::Warning::Kind::Recognised)
-      window_.statusBar()->showMessage(QString::fromStdString(warning.text), recognisedMilliseconds);
+      window_.statusBar()->showMessage(windowText(warning), recognisedMilliseconds);
   std::erase_if(warnings, [](const auto& warning) { return warning.kind == io::Warning::Kind::Recognised; });
   notices_.addWarnings(warnings);
   if (study.geometry)

@@ -106,7 +106,8 @@ Json describe(const std::vector<io::Warning>& warnings) {
   for (const io::Warning& warning : warnings) {
     Json files = Json::array();
     for (const std::filesystem::path& file : warning.files) files.push_back(file.string());
-    json.push_back({{"kind", nameOf(warning.kind)}, {"text", warning.text}, {"files", std::move(files)}});
+    json.push_back(
+        {{"kind", nameOf(warning.kind)}, {"text", io::commandLineText(warning)}, {"files", std::move(files)}});
   }
   return json;
 }

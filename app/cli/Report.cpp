@@ -28,7 +28,7 @@ io::Progress progressOnTerminal() {
 void printWarnings(const std::vector<io::Warning>& warnings) {
   for (const io::Warning& warning : warnings) {
     if (warning.kind == io::Warning::Kind::Recognised) continue;  // `info` and the window tell it
-    std::string line = "fenestra-cli: warning: " + warning.text;
+    std::string line = "fenestra-cli: warning: " + io::commandLineText(warning);
     if (!warning.files.empty()) line += " (" + warning.files.front().filename().string();
     if (warning.files.size() > 1) line += " and " + std::to_string(warning.files.size() - 1) + " more";
     if (!warning.files.empty()) line += ")";

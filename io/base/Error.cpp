@@ -23,4 +23,9 @@ Error::Error(std::filesystem::path file, std::string cause, std::string hint)
       cause_(oneLine(std::move(cause))),
       hint_(oneLine(std::move(hint))) {}
 
+Error::Error(std::filesystem::path file, std::string cause, WayOut way)
+    : Error(std::move(file), std::move(cause), std::string(commandLineWords(way))) {
+  way_ = way;
+}
+
 }  // namespace fenestra::io

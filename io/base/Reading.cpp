@@ -9,10 +9,14 @@ Progress partOf(const Progress& progress, double begin, double end) {
   return [=](double fraction, std::string_view doing) { return progress(std::lerp(begin, end, fraction), doing); };
 }
 
+std::string commandLineText(const Warning& warning) {
+  return warning.way == WayOut::None ? warning.text : warning.text + "; " + commandLineWords(warning.way);
+}
+
 void throwNoTime(const std::filesystem::path& path, int time, int times) {
-  throw Error(path, "has no time point " + std::to_string(time),
-              times > 1 ? "its time points are numbered from 1 to " + std::to_string(times)
-                        : "it holds one volume; leave out --time");
+  const std::string cause = "has no time point " + std::to_string(time);
+  if (times <= 1) throw Error(path, cause, WayOut::OnlyTime);
+  throw Error(path, cause, "its time points are numbered from 1 to " + std::to_string(times));
 }
 
 }  // namespace fenestra::io

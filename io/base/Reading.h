@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "io/base/Error.h"
+#include "io/base/Phrase.h"
 #include "io/base/Regularise.h"
 #include "rendering/volume/LabelMap.h"
 #include "rendering/volume/Volume.h"
@@ -45,9 +46,13 @@ struct Warning {
   Kind kind = Kind::Other;
   std::string text;                          ///< one sentence, with figures
   std::vector<std::filesystem::path> files;  ///< which files it is about; may be empty
+  WayOut way = WayOut::None;                 ///< what the user can do about it
 
   bool operator==(const Warning&) const = default;
 };
+
+/// The warning's text and its way out, in the words of the command line.
+std::string commandLineText(const Warning& warning);
 
 /// What is odd about the places of a series' slices, and what was done about it.
 struct GeometryReport {
@@ -144,7 +149,7 @@ struct VolumeInfo {
   std::vector<SeriesInfo> otherSeries;
   /// Why `series` opens first of several, "the thinnest acquired volume, 1.0 mm"; empty: another one does, or all are
   /// alike.
-  std::string reason;
+  Phrase reason;
   std::vector<SegmentationInfo> segmentations;  ///< of the series, among the files that were opened with it
   std::optional<Modality> modality;             ///< told by OpenOptions or recognised; unset: the file's own
   std::optional<GeometryReport> geometry;  ///< of a series whose slices do not lie straight behind each other, evenly

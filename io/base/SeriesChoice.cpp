@@ -93,24 +93,24 @@ std::string nounOf(const Ranked& first) {
 }
 
 /// Why `first` comes before the others, of which the next one differs from it in line `decided` first.
-std::string reasonOf(const Ranked& first, std::size_t decided) {
+Phrase reasonOf(const Ranked& first, std::size_t decided) {
   const std::string noun = nounOf(first);
-  const bool hasStep = std::isfinite(first.ranks[line::thinnest]);
   switch (decided) {
     case line::plausible:
-      return "the only one whose geometry is plausible";
+      return {"the only one whose geometry is plausible", {}};
     case line::acquired:
-      return "the only one that is no overview, capture or reformat";
+      return {"the only one that is no overview, capture or reformat", {}};
     case line::volume:
     case line::original:
-      return "the only " + noun;
+      return {"the only %1", {noun}};
     case line::thinnest:
-      return "the thinnest " + noun + ", " + millimetres(first.series->step);
+      return {"the thinnest %1, %2", {noun, millimetres(first.series->step)}};
     case line::mostVoxels:
-      return hasStep ? "of the thinnest ones, " + millimetres(first.series->step) + ", the one of most voxels"
-                     : "the " + noun + " of most voxels";
+      if (std::isfinite(first.ranks[line::thinnest]))
+        return {"of the thinnest ones, %1, the one of most voxels", {millimetres(first.series->step)}};
+      return {"the %1 of most voxels", {noun}};
     case line::lowestNumber:
-      return "of equal ones the first by its number, " + std::to_string(*first.series->number);
+      return {"of equal ones the first by its number, %1", {std::to_string(*first.series->number)}};
     default:
       return {};
   }

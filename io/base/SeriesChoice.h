@@ -23,7 +23,7 @@ inline constexpr int leastSlices = 16;  ///< of a volume: fewer cover no organ a
 
 struct SeriesChoice {
   std::size_t index = 0;  ///< of the series that comes first
-  std::string reason;     ///< VolumeInfo::reason
+  Phrase reason;          ///< VolumeInfo::reason
 };
 
 /// `series` must not be empty.

@@ -67,7 +67,7 @@ std::optional<RegularStack> choose(Regularise wanted, const SliceLayout& layout,
   if (automatic) return std::nullopt;
   throw Error(path,
               "its slices would fill only " + percent(scanned, regular.grid().voxelCount()) + " of a regular volume",
-              "open it as it is stored (--regularise off)");
+              WayOut::KeepSlices);
 }
 
 }  // namespace

@@ -167,7 +167,7 @@ class Stacker {
         stacks_[i].time = static_cast<int>(time) + 1;
         stacks_[i].times = static_cast<int>(times);
       }
-      warnings.push_back({Warning::Kind::TimePoints, timesText(parted, time + 1), paths});
+      warnings.push_back({Warning::Kind::TimePoints, timesText(parted, time + 1), paths, WayOut::ChooseTime});
       if (!incomplete.empty()) warnings.push_back({Warning::Kind::MissingSlices, incomplete, {}});
     }
     if (!parted.dropped.empty())
@@ -182,7 +182,7 @@ class Stacker {
     return (parted.places == 1 ? "all " + times + " frames lie at one position"
                                : times + " frames lie at each position") +
            " (time points or repeats, no deeper volume" + (parted.by.empty() ? "" : "; told apart by " + parted.by) +
-           "); each forms a volume of its own: number " + std::to_string(shown) + " is shown, --time N chooses another";
+           "); each forms a volume of its own: number " + std::to_string(shown) + " is shown";
   }
 
   /// Which time points lack slices; empty where none does.

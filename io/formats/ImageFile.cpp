@@ -231,8 +231,7 @@ void refuseOutside(const ImageFile& image) {
     if (file == image.path) continue;
     const fs::path inside = resolved(file).lexically_relative(folder);
     if (inside.empty() || *inside.begin() == "..")
-      throw Error(image.path, "names voxels outside its folder (" + file.string() + ")",
-                  "put the file beside the header, or allow it with --allow-outside where you trust the header");
+      throw Error(image.path, "names voxels outside its folder (" + file.string() + ")", WayOut::AllowOutside);
   }
 }
 

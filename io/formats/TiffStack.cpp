@@ -191,8 +191,8 @@ bool setBarePages(const Stack& stack, ImageFile& image) {
 }
 
 void setSpacing(const Stack& stack, const std::optional<glm::dvec3>& told, ImageFile& image) {
-  const auto warn = [&](const std::string& text) {
-    image.warnings.push_back({Warning::Kind::NoGeometry, text, {image.path}});
+  const auto warn = [&](const std::string& text, WayOut way = WayOut::None) {
+    image.warnings.push_back({Warning::Kind::NoGeometry, text, {image.path}, way});
   };
   const std::string axes =
       "TIFF does not say how its axes lie in the patient; they are taken as left, posterior, superior";
@@ -212,11 +212,11 @@ void setSpacing(const Stack& stack, const std::optional<glm::dvec3>& told, Image
   image.grid.spacing = hasStep ? said.millimetres : glm::dvec3(glm::dvec2(said.millimetres), said.millimetres.x);
   const glm::dvec3& size = image.grid.spacing;
   warn(axes + "; voxels are " + plainNumber(size.x) + " x " + plainNumber(size.y) + " x " + plainNumber(size.z) +
-       " mm by " + said.source +
-       (hasStep || image.grid.dims.z == 1
-            ? ""
-            : ", which does not give the distance of slices: the width of a pixel is taken") +
-       "; --spacing X,Y,Z says otherwise");
+           " mm by " + said.source +
+           (hasStep || image.grid.dims.z == 1
+                ? ""
+                : ", which does not give the distance of slices: the width of a pixel is taken"),
+       WayOut::CorrectVoxelSize);
 }
 
 void warnOfPages(const Stack& stack, ImageFile& image) {

@@ -15,7 +15,7 @@ namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
 [[noreturn]] void fail(const fs::path& path, const std::string& cause) {
-  throw Error(path, "not a camera: " + cause, "use a camera.json that `fenestra-cli render --layers` wrote");
+  throw Error(path, "not a camera: " + cause, "use a camera.json that Fenestra wrote beside the layers of a picture");
 }
 
 [[noreturn]] void fail(const fs::path& path, const char* key, const char* problem) {

@@ -67,8 +67,7 @@ LookPreset readLook(const std::filesystem::path& file) {
   Value root = json::parse(file, json::readBounded(file, largest));
   const auto format = root.is_object() ? root.find("format") : root.end();
   if (format == root.end() || *format != formatName)
-    throw Error(file, "is not a preset of a look",
-                "give a file that Fenestra exported or fenestra-cli --save-look wrote");
+    throw Error(file, "is not a preset of a look", "give a file that Fenestra exported");
   const json::Place top{file};
   const json::Reader reader(top, root);
   int version = 0;

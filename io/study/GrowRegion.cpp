@@ -17,21 +17,21 @@ std::string textOf(glm::dvec3 position) {
   return text.str();
 }
 
-void checkSeeds(const Grid& grid, const std::vector<glm::dvec3>& seeds, const std::string& option,
+void checkSeeds(const Grid& grid, const std::vector<glm::dvec3>& seeds, const std::string& what,
                 const std::string& source) {
   for (const glm::dvec3 seed : seeds) {
     if (segmentation::voxelAt(grid, seed)) continue;
-    throw Error(source, "does not reach to " + option + " " + textOf(seed),
+    throw Error(source, "does not reach to " + what + " " + textOf(seed),
                 "the volume's centre is " + textOf(grid.centre()) + " (mm, LPS)");
   }
 }
 
 void checkReach(const Grid& grid, const RegionFocus& region, const std::string& source) {
-  checkSeeds(grid, region.inside, "--seed", source);
-  checkSeeds(grid, region.outside, "--outside", source);
+  checkSeeds(grid, region.inside, "the seed", source);
+  checkSeeds(grid, region.outside, "the point outside,", source);
   for (const SelectionStroke& ball : region.painted)
     if (segmentation::boxOf(ball, grid).empty())
-      throw Error(source, "has no voxel within --select " + textOf(ball.anchors.front()),
+      throw Error(source, "has no voxel within the ball at " + textOf(ball.anchors.front()),
                   "enlarge the ball, or move it; the volume's centre is " + textOf(grid.centre()) + " (mm, LPS)");
 }
 
@@ -52,10 +52,9 @@ std::shared_ptr<const segmentation::Growth> growWholeRegion(const Volume& volume
   checkReach(volume.grid, region, source);
   auto growth = growRegion(volume, region, progress);
   if (growth->curve.volume[static_cast<std::size_t>(growth->stepOf(region))] > 0.0) return growth;
-  if (!region.painted.empty())
-    throw Error(source, "has no voxel in what --select selects", "enlarge a ball, or take less away");
+  if (!region.painted.empty()) throw Error(source, "has no voxel in what the balls select", WayOut::ChangeSelection);
   throw Error(source, "has no region of this tolerance around the seed",
-              region.tolerance ? "raise --tolerance" : "choose another --seed, or remove an --outside");
+              region.tolerance ? WayOut::RaiseTolerance : WayOut::ChooseSeed);
 }
 
 }  // namespace fenestra::io

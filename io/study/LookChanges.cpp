@@ -31,13 +31,12 @@ void setFocusFunctions(const StudyRequest& request, SetScene& scene) {
     if (!source.empty()) function = loadContextFunction(source, *scene.volume).function;
     std::vector<std::uint16_t> labels;
     if (!label.empty()) {
-      if (!scene.labels)
-        throw Error(request.labelSource(), "has no label \"" + label + "\"", "name a label map with --labels");
+      if (!scene.labels) throw Error(request.labelSource(), "has no label \"" + label + "\"", WayOut::NameLabels);
       labels = resolveLabels(*scene.labels, {label}, request.labelSource());
     } else if (const auto* focus = std::get_if<LabelFocus>(&look.focus)) {
       labels = focus->labels;
     } else if (std::holds_alternative<std::monostate>(look.focus)) {
-      throw Error(request.source(), "has no focus to show by value", "name one, as with --focus-range");
+      throw Error(request.source(), "has no focus to show by value", WayOut::NameFocus);
     } else {
       look.focusAppearance.function = function;
     }
@@ -53,7 +52,7 @@ void setLabelSettings(const StudyRequest& request, SetScene& scene) {
   const LabelChanges& changes = request.labelChanges;
   if (changes.empty()) return;
   const fs::path file = request.labelSource();
-  if (!scene.labels) throw Error(file, "has no labels to show in another way", "name a label map with --labels");
+  if (!scene.labels) throw Error(file, "has no labels to show in another way", WayOut::NameLabels);
   const auto change = [&](const std::string& wanted, const auto& apply) {
     LabelSetting setting = settingFor(scene.look.labels, resolveLabels(*scene.labels, {wanted}, file).front());
     apply(setting);
@@ -64,16 +63,14 @@ void setLabelSettings(const StudyRequest& request, SetScene& scene) {
     for (const std::string& wanted : labels)
       change(wanted, [&](LabelSetting& setting) {
         if (focus && std::binary_search(focus->labels.begin(), focus->labels.end(), setting.label))
-          throw Error(file, "label \"" + wanted + "\" cannot be " + word + ": it is in focus",
-                      "name the labels of the focus with --focus-labels");
+          throw Error(file, "label \"" + wanted + "\" cannot be " + word + ": it is in focus", WayOut::NameFocusLabels);
         setting.role = role;
       });
   };
   setRole(changes.hidden, LabelRole::Hidden, "hidden");
   setRole(changes.guarded, LabelRole::Protected, "protected");
   if (!changes.importance.empty() && !std::holds_alternative<LabelFocus>(scene.look.focus))
-    throw Error(file, "has no labels in focus, so --importance-levels has nothing to open",
-                "name the labels of the focus with --focus-labels");
+    throw Error(file, "has no labels in focus, so levels of importance have nothing to open", WayOut::NameFocusLabels);
   for (const auto& [label, level] : changes.importance)
     change(label, [value = level](LabelSetting& setting) { setting.importance = value; });
   for (const auto& [label, opacity] : changes.opacities)
@@ -93,13 +90,13 @@ void setClipping(const StudyRequest& request, SetScene& scene) {
       clipping.box.low[axis] = low.value_or(frame.low[axis]);
       clipping.box.high[axis] = high.value_or(frame.high[axis]);
       if (!(std::max(clipping.box.low[axis], frame.low[axis]) < std::min(clipping.box.high[axis], frame.high[axis])))
-        throw Error(request.source(), std::string("has nothing inside --crop along ") + "LPS"[axis],
+        throw Error(request.source(), std::string("has nothing inside the crop box along ") + "LPS"[axis],
                     "it reaches from " + tenths(frame.low[axis]) + " to " + tenths(frame.high[axis]) + " mm there");
     }
   }
   if (!changes.exempt.empty()) {
     const fs::path file = request.labelSource();
-    if (!scene.labels) throw Error(file, "has no labels to exempt from clipping", "name a label map with --labels");
+    if (!scene.labels) throw Error(file, "has no labels to exempt from clipping", WayOut::NameLabels);
     clipping.exempt = resolveLabels(*scene.labels, changes.exempt, file);
   }
 }

@@ -32,8 +32,7 @@ void makePhantom(const SessionPhantom& phantom, Study& study, const Progress& pr
 
 void openSession(const DataRequest& request, Study& study, const Progress& progress) {
   if (!request.series.empty() || request.raw || request.spacing || request.time || request.modality)
-    throw Error(request.path, "records how its volume is read",
-                "leave out --series, --time, --raw, --spacing and --modality");
+    throw Error(request.path, "records how its volume is read", WayOut::OmitReading);
   study.session = request.session ? *request.session : readSession(request.path);
   study.restoresSession = true;
   study.isRecovered = request.isRecovered;
@@ -43,8 +42,7 @@ void openSession(const DataRequest& request, Study& study, const Progress& progr
     study.sessionFile = request.path;
   if (!study.session.phantom) return openSessionData(request, study, progress);
   if (!request.data.empty() || !request.labels.empty() || !request.labelTable.empty())
-    throw Error(request.path, "shows a phantom, which is not read from files",
-                "leave out --data, --labels and --label-table");
+    throw Error(request.path, "shows a phantom, which is not read from files", WayOut::OmitData);
   makePhantom(*study.session.phantom, study, progress);
 }
 
@@ -70,7 +68,7 @@ void openFiles(const DataRequest& request, Study& study, const Progress& progres
 
 void setContext(const StudyRequest& request, Study& study) {
   SetScene& scene = study.scene;
-  const bool hasFunction = study.restoresSession || request.preset;
+  const bool hasFunction = (study.restoresSession && !request.startsContextAnew) || request.preset;
   if (request.preset && request.transferFunction.empty())
     if (const std::string odd = mismatchOf(*request.preset, scene.volume->unit); !odd.empty())
       study.warnings.push_back({Warning::Kind::Other, odd, {}});
@@ -79,7 +77,7 @@ void setContext(const StudyRequest& request, Study& study) {
         request.transferFunction.empty() ? defaultPreset(*scene.volume) : request.transferFunction, *scene.volume);
   if (!scene.look.hideTable) return;
   scene.table = segmentation::tableOf(*scene.volume);
-  if (scene.table->count > 0) study.warnings.push_back({Warning::Kind::Other, segmentation::tableNotice, {}});
+  if (scene.table->count > 0) study.warnings.push_back(tableWarning());
 }
 
 bool hasVoxels(const LabelMap& labels, const std::vector<std::uint16_t>& wanted) {
@@ -102,7 +100,7 @@ void setFocus(const StudyRequest& request, Study& study) {
     scene.look.focus = ValueFocus{*request.focusRange, request.focusMinimumSize};
   } else if (!wanted.empty()) {
     const fs::path file = request.labelSource();
-    if (!scene.labels) throw Error(file, "has no labels to focus on", "name a label map with --labels");
+    if (!scene.labels) throw Error(file, "has no labels to focus on", WayOut::NameLabels);
     scene.look.focus = LabelFocus{resolveLabels(*scene.labels, wanted, file)};
   }
   const auto* labels = std::get_if<LabelFocus>(&scene.look.focus);
@@ -127,6 +125,11 @@ void growFocus(const StudyRequest& request, Study& study, const Progress& progre
 }
 
 }  // namespace
+
+Warning tableWarning() {
+  return {
+      Warning::Kind::Other, "the scanner's table is left out of 3-D pictures; slices show it", {}, WayOut::ShowTable};
+}
 
 Study openData(const DataRequest& request, const Progress& progress) {
   Study study;

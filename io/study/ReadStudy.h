@@ -14,4 +14,7 @@ Study openData(const DataRequest& request, const Progress& progress = {});
 /// choice of focus gets the one that shows the cutaway best.
 Study readStudy(const StudyRequest& request, const Progress& progress = {});
 
+/// Tells a user whose scan has a table that it is hidden.
+Warning tableWarning();
+
 }  // namespace fenestra::io

@@ -119,8 +119,7 @@ auto openMoved(DataMissing::Data which, SessionData& data, const fs::path& place
                const Progress& progress, std::vector<Warning>& warnings, const Open& open, const FilesAt& filesAt) {
   const bool labels = which == DataMissing::Data::Labels;
   const std::string kind = labels ? "the label map " : "the volume ";
-  const std::string hint = labels ? "say where they are (--labels FILE)"
-                                  : "say where they are (--data PATH), or put them beside the session";
+  const WayOut way = labels ? WayOut::FindLabels : WayOut::FindVolume;
   const bool known = !data.contents.hash.empty();
   const auto take = [&](const fs::path& path, auto opened) {
     data.path = fs::absolute(path);
@@ -157,7 +156,7 @@ auto openMoved(DataMissing::Data which, SessionData& data, const fs::path& place
   }
   const fs::path found =
       known ? memberAt(Search(folder, data, progress).find(filesAt, progress), data.path) : fs::path();
-  if (found.empty()) throw DataMissing(which, data.path, problem, hint);
+  if (found.empty()) throw DataMissing(which, data.path, problem, way);
   warnings.push_back(
       {Warning::Kind::MovedData,
        kind + "was found at " + described(found, folder) + ", no longer at " + described(data.path, folder),

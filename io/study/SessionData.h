@@ -23,8 +23,8 @@ struct Study;
 class DataMissing : public Error {
  public:
   enum class Data : std::uint8_t { Volume, Labels };
-  DataMissing(Data data, const std::filesystem::path& file, std::string cause, std::string hint)
-      : Error(file, std::move(cause), std::move(hint)), data_(data) {}
+  DataMissing(Data data, const std::filesystem::path& file, std::string cause, WayOut way)
+      : Error(file, std::move(cause), way), data_(data) {}
   Data data() const { return data_; }
 
  private:

@@ -88,6 +88,7 @@ struct StudyRequest : DataRequest {
   /// empty. Errors otherwise.
   bool acceptsAnyRegion = false;
   std::string transferFunction;      ///< preset or file; empty: defaultPreset
+  bool startsContextAnew = false;    ///< defaultPreset takes the place of a session's transfer function
   std::filesystem::path strokes;     ///< file of brush strokes; empty: those of the look
   std::optional<LookPreset> preset;  ///< `look` is in its style, and its transfer function stays
 

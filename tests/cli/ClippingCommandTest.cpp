@@ -117,7 +117,7 @@ TEST_F(ClippingCommand, MistakesAreExplained) {
       {"--crop 1,2,3", "is not L0:L1,P0:P1,S0:S1"},
       {"--crop 50:-50,:,:", "lower end first"},
       {"--crop :,:,nan:", "is not L0:L1,P0:P1,S0:S1"},
-      {"--crop 5000:,:,:", "has nothing inside --crop along L"},
+      {"--crop 5000:,:,:", "has nothing inside the crop box along L"},
       {"--clip-plane 0,0,0,5", "normal of no length"},
       {"--clip-plane 1,2,3", "is not NX,NY,NZ,D"},
       {"--clip-plane 1,0,0,0 --clip-plane 1,0,0,0 --clip-plane 1,0,0,0 --clip-plane 1,0,0,0", "more than three"},

@@ -114,8 +114,8 @@ TEST_F(Grow, AnOutsideSeedHoldsTheRegionBack) {
 }
 
 TEST_F(Grow, NamesWhatIsWrong) {
-  expectFailure("--seed 1000,0,0" + toFile(), "does not reach to --seed 1000,0,0");
-  expectFailure("--seed " + kidney + " --outside 0,0,-999" + toFile(), "does not reach to --outside 0,0,-999");
+  expectFailure("--seed 1000,0,0" + toFile(), "does not reach to the seed 1000,0,0");
+  expectFailure("--seed " + kidney + " --outside 0,0,-999" + toFile(), "does not reach to the point outside, 0,0,-999");
   for (const std::string& misuse : {"--seed 1,2" + toFile(), "--seed 1,2,x" + toFile(), toFile(),
                                     "--seed " + kidney + " --tolerance -1" + toFile(), "--seed " + kidney}) {
     EXPECT_EQ(run("grow", misuse), 2) << misuse;
@@ -181,8 +181,9 @@ TEST_F(Grow, SelectPaintsTheRegion) {
        {"ball:0,0,0", "ball:0,0:5", "ball:0,0,0:0", "ball:0,0,0:5:2", "box:0,0,0:5", "ball:0,0,0:nan"})
     EXPECT_EQ(run("render", view + "--select " + misuse + " -o '" + at("no.png") + "'"), 2) << misuse;
   EXPECT_EQ(run("render", view + "--select ball:0,0,0:40 --focus-range 0:9 -o '" + at("no.png") + "'"), 2);
-  for (const auto& [wrong, message] : {std::pair("--select ball:9000,0,0:5", "has no voxel within --select 9000,0,0"),
-                                       std::pair("--select=-ball:0,0,0:5", "has no voxel in what --select selects")}) {
+  for (const auto& [wrong, message] :
+       {std::pair("--select ball:9000,0,0:5", "has no voxel within the ball at 9000,0,0"),
+        std::pair("--select=-ball:0,0,0:5", "has no voxel in what the balls select")}) {
     EXPECT_EQ(run("render", view + wrong + " -o '" + at("no.png") + "'"), 1) << wrong;
     EXPECT_NE(contents("error").find(message), std::string::npos) << contents("error");
   }

@@ -72,6 +72,16 @@ TEST(SeriesChooser, ListsTheSeriesWithTheirPictures) {
   }
 }
 
+TEST(SeriesChooser, SaysWhichPartOfItsSeriesEachVolumeIs) {
+  io::Study study = writeStudy(tests::scratchFolder() / "study");
+  EXPECT_TRUE(SeriesChooser(study).list()->isColumnHidden(SeriesChooser::Part)) << "no series has parts";
+  study.series.part = "echo time 4.92 ms";
+  SeriesChooser chooser(study);
+  EXPECT_FALSE(chooser.list()->isColumnHidden(SeriesChooser::Part));
+  EXPECT_EQ(chooser.list()->topLevelItem(0)->text(SeriesChooser::Part), QStringLiteral("echo time 4.92 ms"));
+  EXPECT_EQ(chooser.list()->topLevelItem(1)->text(SeriesChooser::Part), QString());
+}
+
 TEST(SeriesChooser, HidesThePatientsNames) {
   io::Study study = writeStudy(tests::scratchFolder() / "study");
   SeriesChooser hidden(study, true);

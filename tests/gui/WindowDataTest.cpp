@@ -8,17 +8,20 @@
 #include <QApplication>
 #include <QDockWidget>
 #include <QDragEnterEvent>
+#include <QFileDialog>
 #include <QLabel>
+#include <QLineEdit>
 #include <QMimeData>
 #include <QPushButton>
 #include <QSettings>
 #include <QSignalSpy>
 #include <QTest>
+#include <QTimer>
 #include <QUrl>
 
+#include "io/TransferFunctionFile.h"
 #include "io/VolumeWriter.h"
 #include "io/study/ReadStudy.h"
-#include "rendering/segmentation/Couch.h"
 #include "tests/gui/WindowFixture.h"
 #include "tests/io/DicomWriter.h"
 #include "tests/support/TestData.h"
@@ -91,6 +94,53 @@ TEST_F(Window, LabelsAreOpenedOverTheStudy) {
   waitUntilDrawn();
 }
 
+/// Triggers a menu's entry and chooses `path` in the dialog that it opens.
+void chooseBy(const MainWindow& window, const char* text, const std::filesystem::path& path) {
+  QAction* entry = nullptr;
+  for (QAction* each : window.findChildren<QAction*>())
+    if (each->text() == QString::fromUtf8(text)) entry = each;
+  ASSERT_NE(entry, nullptr) << text;
+  ASSERT_TRUE(entry->isEnabled()) << text;
+  QCoreApplication::setAttribute(Qt::AA_DontUseNativeDialogs);
+  QTimer choose;
+  QObject::connect(&choose, &QTimer::timeout, [&] {
+    auto* dialog = qobject_cast<QFileDialog*>(QApplication::activeModalWidget());
+    if (!dialog) return;
+    dialog->findChild<QLineEdit*>(QStringLiteral("fileNameEdit"))->setText(toQString(path));
+    QMetaObject::invokeMethod(dialog, "accept");
+  });
+  choose.start(20);
+  entry->trigger();
+}
+
+TEST_F(Window, TheFileMenuOpensAFolderOfMasksAndATableOfLabels) {
+  const std::filesystem::path folder = tests::scratchFolder() / "masks", table = tests::scratchFolder() / "names.txt";
+  std::filesystem::create_directories(folder);
+  for (const char* name : {"liver.nii.gz", "spleen.nii.gz"}) {
+    Volume mask;
+    mask.grid = document().scene().volume->grid;
+    mask.voxels = Voxels(ScalarType::UInt8, mask.grid.voxelCount());
+    mask.voxels.as<std::uint8_t>()[name[0] == 'l' ? 0 : 1] = 1;
+    io::writeVolume(mask, folder / name);
+  }
+  std::ofstream(table) << "1 Left lobe of the liver 200 100 50 0\n";
+  const auto namesOf = [&] {
+    std::vector<std::string> names;
+    if (document().labels())
+      for (const Label& label : document().labels()->labels) names.push_back(label.name);
+    return names;
+  };
+  chooseBy(*window_, "Open a folder of &masks…", folder);
+  EXPECT_TRUE(QTest::qWaitFor([&] { return namesOf() == std::vector<std::string>{"liver", "spleen"}; }, patience));
+  chooseBy(*window_, "Open a &table of labels…", table);
+  EXPECT_TRUE(QTest::qWaitFor(
+      [&] {
+        return namesOf() == std::vector<std::string>{"Left lobe of the liver", "spleen"};
+      },
+      patience));
+  EXPECT_EQ(document().study().session.labels.table, table) << "a session keeps it";
+}
+
 TEST_F(Window, RemembersLayoutAndRecentFilesOnlyWhenAsked) {
   useScratchSettings();
   const auto cutawayDock = [](MainWindow& window) {
@@ -150,8 +200,8 @@ TEST_F(Window, WarningsAreShownOnceEach) {
 
 TEST_F(Window, NoticesSpeakOfTheWindowAndNotOfTheCommandLine) {
   io::Study study = markedBall();
-  study.warnings = {{io::Warning::Kind::TimePoints, "number 1 is shown, --time N chooses another", {}},
-                    {io::Warning::Kind::Other, segmentation::tableNotice, {}}};
+  study.warnings = {{io::Warning::Kind::TimePoints, "number 1 is shown", {}, io::WayOut::ChooseTime},
+                    io::tableWarning()};
   open(study);
   const QString all = window_->notices().texts().join(QLatin1Char('\n'));
   EXPECT_FALSE(all.contains(QStringLiteral("--"))) << all.toStdString();
@@ -205,6 +255,31 @@ TEST_F(Window, TheMenuSaysWhatTheValuesAre) {
   EXPECT_EQ(document().scene().volume->modality, Modality::MR);
   EXPECT_TRUE(entry(QStringLiteral("&MR"))->isChecked());
   waitUntilDrawn();
+}
+
+TEST_F(Window, ALookThatNobodyChoseFollowsTheKindOfTheValues) {
+  const std::filesystem::path file = tests::scratchFolder() / "ball.nii.gz";
+  io::writeVolume(*markedBall().scene.volume, file);
+  QSignalSpy opened(window_.get(), &MainWindow::opened);
+  const auto setKind = [&](Modality kind) {
+    window_->sessions().setModality(kind);
+    ASSERT_TRUE(opened.wait(patience));
+  };
+  window_->open(std::vector{file});
+  ASSERT_TRUE(opened.wait(patience));
+  setKind(Modality::CT);
+  ASSERT_EQ(document().look().context.preset, "ct-soft-tissue");
+  setKind(Modality::MR);
+  EXPECT_EQ(document().look().context.preset, "mr");
+  EXPECT_EQ(document().window(), document().scene().volume->defaultWindow());
+
+  Look chosen = document().look();
+  chosen.context = io::loadContextFunction("mr-bright", *document().scene().volume);
+  document().edit(QStringLiteral("Preset"), chosen);
+  document().setWindow({123.0, 45.0});
+  setKind(Modality::CT);
+  EXPECT_EQ(document().look().context.preset, "mr-bright") << "the user chose it";
+  EXPECT_EQ(document().window(), (WindowLevel{123.0, 45.0}));
 }
 
 TEST_F(Window, OtherDataKeepNothingOfTheLookBefore) {

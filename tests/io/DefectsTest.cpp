@@ -19,7 +19,7 @@ namespace {
 
 std::string textsOf(const std::vector<io::Warning>& warnings) {
   std::string texts;
-  for (const io::Warning& warning : warnings) texts += "\n  " + warning.text;
+  for (const io::Warning& warning : warnings) texts += "\n  " + commandLineText(warning);
   return texts;
 }
 
@@ -71,9 +71,10 @@ TEST_P(Defects, GiveTheErrorOrWarningThatTheTableSays) {
     if (defect.expected.outcome == Outcome::Opens) {
       EXPECT_TRUE(warnings.empty()) << textsOf(warnings);
     } else {
-      EXPECT_TRUE(std::any_of(
-          warnings.begin(), warnings.end(),
-          [&](const io::Warning& warning) { return warning.text.find(defect.expected.says) != std::string::npos; }))
+      EXPECT_TRUE(std::any_of(warnings.begin(), warnings.end(),
+                              [&](const io::Warning& warning) {
+                                return commandLineText(warning).find(defect.expected.says) != std::string::npos;
+                              }))
           << "no warning of '" << defect.expected.says << "', but" << textsOf(warnings);
     }
   } catch (const io::Error& error) {

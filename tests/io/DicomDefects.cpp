@@ -458,7 +458,7 @@ std::vector<Defect> folderDefects() {
        error("none of its 3 DICOM files can be read")},
       {"a segmentation", file({set(0x00080016, "UI", "1.2.840.10008.5.1.4.1.1.66.4")}),
        error("is a DICOM segmentation")},
-      {"time points", times, warning("number 1 is shown, --time N chooses another")},
+      {"time points", times, warning("number 1 is shown; --time N chooses another")},
       {"the second time point", times, warning("number 2 is shown"), "", 2},
       {"a time point beyond the last", times, error("has no time point 4; its time points are numbered from 1 to 3"),
        "", 4},

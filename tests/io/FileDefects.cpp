@@ -65,7 +65,7 @@ std::vector<Defect> niftiDefects() {
        },
        error("ends too early")},
       {"nifti of three time points", nifti({.dims = {2, 3, 4, 3}}, counting(72)),
-       warning("holds 3 volumes (time points or layers); number 1 is shown, --time N chooses another")},
+       warning("holds 3 volumes (time points or layers); number 1 is shown; --time N chooses another")},
       {"nifti's third time point", nifti({.dims = {2, 3, 4, 3}}, counting(72)), warning("number 3 is shown"), "", 3},
       {"nifti's time point beyond the last", nifti({.dims = {2, 3, 4, 3}}, counting(72)), error("has no time point 7"),
        "", 7},

@@ -133,7 +133,7 @@ std::vector<Defect> commaDefects() {
 }
 
 std::vector<Defect> axisDefects() {
-  const Expected seconds = warning("number 2 is shown, --time N chooses another"),
+  const Expected seconds = warning("number 2 is shown; --time N chooses another"),
                  fourth = warning("its header gives length 0 for dimension 4; 1 is assumed");
   const auto pairOf = [](std::vector<std::int16_t> dims) {
     return [=](const fs::path& folder) {

@@ -102,8 +102,8 @@ TEST(SeriesChoice, FollowsTheRule) {
                            back = io::firstSeries({row.second, row.first});
     EXPECT_EQ(forth.index, 0u) << row.name;
     EXPECT_EQ(back.index, 1u) << row.name;
-    EXPECT_EQ(forth.reason, row.reason) << row.name;
-    EXPECT_EQ(back.reason, row.reason) << row.name;
+    EXPECT_EQ(plainText(forth.reason), row.reason) << row.name;
+    EXPECT_EQ(plainText(back.reason), row.reason) << row.name;
   }
 }
 
@@ -125,7 +125,7 @@ TEST(SeriesChoice, ChoosesTheSameInAnyOrder) {
 TEST(SeriesChoice, SaysNothingOfASingleSeries) {
   const io::SeriesChoice only = io::firstSeries({seriesWith("1")});
   EXPECT_EQ(only.index, 0u);
-  EXPECT_EQ(only.reason, "");
+  EXPECT_EQ(plainText(only.reason), "");
 }
 
 /// `count` slices, `step` mm apart.
@@ -165,9 +165,9 @@ TEST(SeriesChoice, OpensTheThinAcquiredSeriesOfAFolder) {
   EXPECT_NEAR(opened.series.step, 1.0, 1e-9);
   EXPECT_EQ(opened.series.patient.name, "Vermeer^Johanna");
   EXPECT_EQ(opened.series.patient.id, "QX-4711");
-  EXPECT_EQ(opened.reason, "the thinnest acquired volume, 1.0 mm");
+  EXPECT_EQ(plainText(opened.reason), "the thinnest acquired volume, 1.0 mm");
   EXPECT_EQ(opened.otherSeries.size(), 2u);
-  EXPECT_EQ(io::openVolume(folder, {.series = "1.2.1"}).reason, "") << "another one was named";
+  EXPECT_EQ(io::openVolume(folder, {.series = "1.2.1"}).reason, io::Phrase()) << "another one was named";
   EXPECT_EQ(io::openVolume(folder, {.series = "1.2.2"}).reason, opened.reason) << "true of it, whoever named it";
 }
 

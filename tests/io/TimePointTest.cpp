@@ -39,8 +39,8 @@ void expectTimePoints(const fs::path& path, const std::string& id, const std::ve
     EXPECT_EQ(realValues(*opened.volume), expected);
     EXPECT_EQ(opened.series.id, info.id);
     EXPECT_EQ(opened.otherSeries.size(), static_cast<std::size_t>(times - 1));
-    const std::string text = warningOf(opened.warnings, io::Warning::Kind::TimePoints).text;
-    const std::string said = std::string("number ").append(std::to_string(time)).append(" is shown, --time N chooses");
+    const std::string text = commandLineText(warningOf(opened.warnings, io::Warning::Kind::TimePoints));
+    const std::string said = std::string("number ").append(std::to_string(time)).append(" is shown; --time N chooses");
     EXPECT_NE(text.find(said), std::string::npos) << text;
     EXPECT_EQ(realValues(*io::openVolume(path, {.series = info.id}).volume), expected);
   }

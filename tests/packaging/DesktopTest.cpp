@@ -62,11 +62,18 @@ TEST(MimeTypes, AreWellFormedAndHoldAllThatAreNamed) {
 
   const std::string declared = contentsOf(file);
   // Desktops know these themselves.
-  const std::set<std::string> known{"application/dicom", "inode/directory"};
+  const std::set<std::string> known{"application/dicom", "image/tiff", "inode/directory"};
   for (const char* user : {"fenestra.desktop.in", "fenestra-session.thumbnailer", "fenestra-volume.thumbnailer"})
     for (const std::string& type : mimeTypesIn(resources + user))
       EXPECT_TRUE(known.contains(type) || declared.find("<mime-type type=\"" + type + "\">") != std::string::npos)
           << user << " names " << type;
+}
+
+TEST(DesktopEntry, OpensEveryFormatOfVolumes) {
+  const std::set<std::string> types = mimeTypesIn(resources + "fenestra.desktop.in");
+  for (const char* type : {"application/dicom", "application/x-nifti", "application/x-nrrd", "application/x-metaimage",
+                           "application/x-mgh", "image/tiff", "inode/directory"})
+    EXPECT_TRUE(types.contains(type)) << type;
 }
 
 class Thumbnailer : public ::testing::Test {

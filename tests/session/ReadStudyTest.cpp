@@ -112,7 +112,7 @@ TEST_F(ReadStudy, ASessionsRegionMayComeOutEmptyForAUserToChange) {
   io::Session session = io::readStudy(ball()).session;
   session.look.focus = RegionFocus{{glm::dvec3(20.0), glm::dvec3(500.0)}, {}, 10.0};
   io::StudyRequest request = saved(session);
-  EXPECT_NE(errorOf([&] { io::readStudy(request); }).find("does not reach to --seed 500,500,500"), std::string::npos);
+  EXPECT_NE(errorOf([&] { io::readStudy(request); }).find("does not reach to the seed 500,500,500"), std::string::npos);
   request.acceptsAnyRegion = true;
   EXPECT_TRUE(io::readStudy(request).growth);
 

@@ -69,6 +69,8 @@ class Actions : public QObject {
 
   void makeFileMenu();
   /// The segmentations beside the series; hidden while there are none.
+  void addLabelEntries(QMenu& menu);
+  void addVoxelSize(QMenu& menu);
   void addModalityMenu(QMenu& menu);
   void addSegmentationMenu(QMenu& menu);
   void addExports(QMenu& menu);

@@ -46,7 +46,9 @@ void Actions::makeFileMenu() {
   samples_->menuAction()->setVisible(false);
   menu->addSeparator();
   menu->addActions({series, labels});
+  addLabelEntries(*menu);
   addModalityMenu(*menu);
+  addVoxelSize(*menu);
   addSegmentationMenu(*menu);
   menu->addSeparator();
   menu->addActions({save, saveAs});
@@ -54,6 +56,27 @@ void Actions::makeFileMenu() {
   menu->addSeparator();
   menu->addAction(action(tr("&Quit"), QKeySequence::Quit, [this] { targets_.window.close(); }));
   tools_ << QList<QAction*>{folder, file, labels, save};
+}
+
+void Actions::addLabelEntries(QMenu& menu) {
+  menu.addAction(volumeAction(tr("Open a folder of &masks…"), {}, [this] { targets_.files.chooseMaskFolder(); }));
+  QAction* table = menu.addAction(tr("Open a &table of labels…"));
+  connect(table, &QAction::triggered, this, [this] { targets_.files.chooseLabelTable(); });
+  const Document& document = targets_.workspace.document;
+  const auto enable = [table, &document] { table->setEnabled(!document.study().session.labels.path.empty()); };
+  connect(&document, &Document::volumeChanged, table, enable);
+  connect(&document, &Document::labelsChanged, table, enable);
+  enable();
+}
+
+void Actions::addVoxelSize(QMenu& menu) {
+  QAction* size = menu.addAction(tr("Si&ze of the voxels…"));
+  connect(size, &QAction::triggered, this, [this] { targets_.files.chooseVoxelSize(); });
+  const Document& document = targets_.workspace.document;
+  // Other formats say it themselves.
+  const auto enable = [size, &document] { size->setEnabled(document.study().format == "TIFF"); };
+  connect(&document, &Document::volumeChanged, size, enable);
+  enable();
 }
 
 void Actions::addModalityMenu(QMenu& menu) {

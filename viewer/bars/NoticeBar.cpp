@@ -11,6 +11,7 @@
 
 #include "viewer/bars/StudyDialogs.h"
 #include "viewer/model/Paths.h"
+#include "viewer/model/WayOutText.h"
 
 namespace fenestra::viewer {
 namespace {
@@ -25,8 +26,7 @@ NoticeBar::Subject subjectOf(const QWidget& row) {
 }
 
 /// A clause as a sentence.
-QString sentence(const std::string& clause) {
-  QString text = QString::fromStdString(clause);
+QString sentence(QString text) {
   if (text.isEmpty()) return text;
   text[0] = text[0].toUpper();
   return text.endsWith(QLatin1Char('.')) ? text : text + QLatin1Char('.');
@@ -150,7 +150,7 @@ void NoticeBar::hideNames(bool hide) {
 void NoticeBar::addWarnings(const std::vector<io::Warning>& warnings) {
   for (auto each = warnings.rbegin(); each != warnings.rend(); ++each) {
     const io::Warning& warning = *each;
-    const QString text = sentence(warning.text);
+    const QString text = sentence(windowText(warning));
     if (warning.files.empty()) {
       add(Kind::Warning, Subject::Study, text);
       continue;
@@ -164,7 +164,7 @@ void NoticeBar::addWarnings(const std::vector<io::Warning>& warnings) {
 void NoticeBar::addGeometry(const io::GeometryReport& report, const std::function<void(io::Regularise)>& choose) {
   QStringList texts, details;
   for (const io::Warning& finding : report.findings) {
-    texts << sentence(finding.text);
+    texts << sentence(windowText(finding));
     if (!finding.files.empty()) details << texts.back() + QLatin1Char('\n') + namesOf(finding.files);
   }
   const QString all = texts.join(QLatin1Char(' '));

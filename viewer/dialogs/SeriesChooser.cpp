@@ -1,5 +1,6 @@
 #include "viewer/dialogs/SeriesChooser.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <QDialogButtonBox>
@@ -50,10 +51,10 @@ QStringList patientsOf(const std::vector<io::SeriesInfo>& series, bool hidden) {
 }
 
 QStringList headers() {
-  return {SeriesChooser::tr("Picture"),   SeriesChooser::tr("Patient"), SeriesChooser::tr("No."),
-          SeriesChooser::tr("Type"),      SeriesChooser::tr("Date"),    SeriesChooser::tr("Description"),
-          SeriesChooser::tr("Thickness"), SeriesChooser::tr("Kernel"),  SeriesChooser::tr("Size"),
-          SeriesChooser::tr("Images")};
+  return {SeriesChooser::tr("Picture"), SeriesChooser::tr("Patient"),   SeriesChooser::tr("No."),
+          SeriesChooser::tr("Type"),    SeriesChooser::tr("Date"),      SeriesChooser::tr("Description"),
+          SeriesChooser::tr("Part"),    SeriesChooser::tr("Thickness"), SeriesChooser::tr("Kernel"),
+          SeriesChooser::tr("Size"),    SeriesChooser::tr("Images")};
 }
 
 void describe(const io::SeriesInfo& series, QTreeWidgetItem& row) {
@@ -62,6 +63,7 @@ void describe(const io::SeriesInfo& series, QTreeWidgetItem& row) {
   row.setText(SeriesChooser::Date, dateText(series.date));
   row.setText(SeriesChooser::Description, descriptionOf(series));
   row.setToolTip(SeriesChooser::Description, QString::fromStdString(series.study));
+  row.setText(SeriesChooser::Part, QString::fromStdString(series.part));
   row.setText(SeriesChooser::Thickness, thicknessOf(series));
   row.setText(SeriesChooser::Kernel, QString::fromStdString(series.kernel));
   row.setText(SeriesChooser::Size, QStringLiteral("%1×%2×%3").arg(series.dims.x).arg(series.dims.y).arg(series.dims.z));
@@ -91,6 +93,8 @@ SeriesChooser::SeriesChooser(const io::Study& study, bool hidesPatient, QWidget*
     describe(all[i], *row);
   }
   list_->setColumnHidden(Patient, patients.join(QString()).isEmpty());
+  const bool hasParts = std::any_of(all.begin(), all.end(), [](const auto& each) { return !each.part.empty(); });
+  list_->setColumnHidden(Part, !hasParts);
   list_->setCurrentItem(list_->topLevelItem(0));
   for (int column = 0; column < list_->columnCount(); ++column) list_->resizeColumnToContents(column);
   thumbnails_ = new Thumbnails(all, static_cast<int>(pictureSide * devicePixelRatio()), this);

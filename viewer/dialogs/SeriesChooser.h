@@ -15,7 +15,7 @@ namespace fenestra::viewer {
 class SeriesChooser : public QDialog {
   Q_OBJECT
  public:
-  enum Column { Picture, Patient, Number, Type, Date, Description, Thickness, Kernel, Size, Images, Columns };
+  enum Column { Picture, Patient, Number, Type, Date, Description, Part, Thickness, Kernel, Size, Images, Columns };
 
   /// With hidden names, patients are told apart by numbers, and only where there are several.
   explicit SeriesChooser(const io::Study& study, bool hidesPatient = false, QWidget* parent = nullptr);

@@ -9,7 +9,7 @@
 
 namespace fenestra::viewer {
 
-SpacingDialog::SpacingDialog(const QString& why, QWidget* parent) : QDialog(parent) {
+SpacingDialog::SpacingDialog(const QString& why, QWidget* parent, const glm::dvec3& now) : QDialog(parent) {
   setWindowTitle(tr("Size of the voxels"));
   auto* text = new QLabel(why);
   text->setWordWrap(true);
@@ -34,6 +34,7 @@ SpacingDialog::SpacingDialog(const QString& why, QWidget* parent) : QDialog(pare
           std::all_of(fields_.begin(), fields_.end(), [](const auto* each) { return each->value() > 0.0; }));
     });
   }
+  for (std::size_t axis = 0; axis < fields_.size(); ++axis) fields_[axis]->setValue(now[static_cast<int>(axis)]);
   form->addRow(buttons);
   connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);

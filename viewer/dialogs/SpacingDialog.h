@@ -13,8 +13,8 @@ namespace fenestra::viewer {
 class SpacingDialog : public QDialog {
   Q_OBJECT
  public:
-  /// `why` is the reader's message.
-  explicit SpacingDialog(const QString& why, QWidget* parent = nullptr);
+  /// `why` is the text above the fields; `now` is what they begin with, mm.
+  explicit SpacingDialog(const QString& why, QWidget* parent = nullptr, const glm::dvec3& now = glm::dvec3(0.0));
 
   /// Across, down and from slice to slice, mm; the dialog is accepted only with three positive numbers.
   glm::dvec3 spacing() const;

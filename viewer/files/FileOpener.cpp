@@ -18,6 +18,7 @@
 #include "viewer/files/Sessions.h"
 #include "viewer/model/Paths.h"
 #include "viewer/model/SettingOwners.h"
+#include "viewer/model/WayOutText.h"
 #include "viewer/model/Workspace.h"
 #include "viewer/panels/FileDialog.h"
 
@@ -72,7 +73,7 @@ void FileOpener::open(const std::vector<std::filesystem::path>& paths) {
   try {
     load(io::interpret(paths));
   } catch (const io::Error& error) {
-    notices_.addError(NoticeBar::Subject::Opening, QString::fromUtf8(error.what()));
+    notices_.addError(NoticeBar::Subject::Opening, windowText(error));
   }
 }
 
@@ -87,13 +88,9 @@ void FileOpener::openSeries(const std::string& series) {
 
 void FileOpener::load(const io::DataRequest& data) {
   loader_.open(readerOf(data), {}, [this, data](const io::SpacingMissing& missing) {
-    SpacingDialog ask(
-        tr("%1 %2. Say it here:").arg(toQString(missing.file().filename()), QString::fromStdString(missing.cause())),
-        &window_);
-    if (ask.exec() != QDialog::Accepted) return;
     io::DataRequest sized = data;
-    sized.spacing = ask.spacing();
-    load(sized);
+    sized.spacing = sessions_.questions().voxelSize(missing);
+    if (sized.spacing) load(sized);
   });
 }
 
@@ -124,6 +121,28 @@ void FileOpener::chooseFolder() {
 void FileOpener::chooseLabels() {
   const QString kinds = tr("Label maps (*.dcm %1);;All files (*)").arg(volumePatterns());
   if (const auto file = askForFile(&window_, {tr("Open a label map"), kinds})) loader_.openLabels(*file);
+}
+
+void FileOpener::chooseMaskFolder() {
+  if (const auto folder = askForFolder(&window_, {tr("Open a folder of masks")})) loader_.openLabels(*folder);
+}
+
+void FileOpener::chooseLabelTable() {
+  const QString kinds = tr("Tables of labels (*.txt *.tsv *.csv *.label *.ctbl *.lut);;All files (*)");
+  if (const auto file = askForFile(&window_, {tr("Open a table of labels"), kinds}))
+    loader_.openLabels(document_.study().session.labels.path, *file);
+}
+
+void FileOpener::chooseVoxelSize() {
+  SpacingDialog ask(tr("How large the voxels are:"), &window_, document_.scene().volume->grid.spacing);
+  markAsStudyDialog(ask);
+  if (ask.exec() != QDialog::Accepted || !sessions_.mayGo()) return;
+  const io::Study& study = document_.study();
+  io::DataRequest chosen;
+  chosen.path = study.session.volume.path;
+  chosen.series = study.series.id;
+  chosen.spacing = ask.spacing();
+  load(chosen);
 }
 
 void FileOpener::chooseSeries() {

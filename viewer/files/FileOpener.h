@@ -47,6 +47,11 @@ class FileOpener : public QObject {
   void chooseFile();
   void chooseFolder();
   void chooseLabels();
+  void chooseMaskFolder();
+  /// Names and colours for the label map that is open, which is in a file.
+  void chooseLabelTable();
+  /// Asks how large the voxels of the open study are, which its file may not say, and opens it anew.
+  void chooseVoxelSize();
   void chooseSeries();
 
  private:

@@ -6,11 +6,14 @@
 #include <QMessageBox>
 #include <QPushButton>
 
+#include "io/TransferFunctionFile.h"
 #include "io/session/SessionFile.h"
 #include "io/study/ReadStudy.h"
 #include "viewer/bars/NoticeBar.h"
+#include "viewer/dialogs/SpacingDialog.h"
 #include "viewer/jobs/StudyLoader.h"
 #include "viewer/model/Paths.h"
+#include "viewer/model/WayOutText.h"
 #include "viewer/model/Workspace.h"
 #include "viewer/panels/FileDialog.h"
 
@@ -56,6 +59,14 @@ std::optional<fs::path> askForData(QWidget* parent, const io::DataMissing& missi
   if (folder && box.clickedButton() == folder)
     return askForFolder(parent, {Sessions::tr("The data's folder"), {}, from});
   return std::nullopt;
+}
+
+std::optional<glm::dvec3> askForVoxelSize(QWidget* parent, const io::SpacingMissing& missing) {
+  SpacingDialog ask(Sessions::tr("%1 %2. Say it here:")
+                        .arg(toQString(missing.file().filename()), QString::fromStdString(missing.cause())),
+                    parent);
+  if (ask.exec() != QDialog::Accepted) return std::nullopt;
+  return ask.spacing();
 }
 
 SessionQuestions::Answer askToRestore(QWidget* parent, const QDateTime& saved, const QString& study) {
@@ -120,6 +131,7 @@ SessionQuestions sessionDialogs(QWidget* parent) {
                               {Sessions::tr("Open a session"), QStringLiteral("%1 (*%2)").arg(kind.name, kind.ending)});
           },
       .dataWhere = [parent](const io::DataMissing& missing) { return askForData(parent, missing); },
+      .voxelSize = [parent](const io::SpacingMissing& missing) { return askForVoxelSize(parent, missing); },
       .restoreWork = [parent](const QDateTime& saved,
                               const QString& study) { return askToRestore(parent, saved, study); },
   };
@@ -166,24 +178,31 @@ void Sessions::open(const fs::path& file) {
   open([file] { return editable(io::requestOfSession(file)); });
 }
 
-void Sessions::open(Request request) { open(std::move(request), {}, {}); }
+void Sessions::open(Request request) { open(std::move(request), Told{}); }
 
-void Sessions::open(Request request, const fs::path& data, const fs::path& labels) {
+void Sessions::open(Request request, const Told& told) {
   loader_.open(
-      [request, data, labels](const io::Progress& progress) {
+      [request, told](const io::Progress& progress) {
         io::StudyRequest asked = request();
-        if (!data.empty()) asked.data = data;
-        if (!labels.empty()) asked.labels = labels;
+        if (!told.data.empty()) asked.data = told.data;
+        if (!told.labels.empty()) asked.labels = told.labels;
+        if (told.spacing) asked.spacing = told.spacing;
         return io::readStudy(asked, progress);
       },
-      [this, request, data, labels](const io::DataMissing& missing) {
+      [this, request, told](const io::DataMissing& missing) {
         const std::optional<fs::path> there = questions_.dataWhere(missing);
         if (!there) {
-          notices_.addError(NoticeBar::Subject::Opening, QString::fromUtf8(missing.what()));
+          notices_.addError(NoticeBar::Subject::Opening, windowText(missing));
           return;
         }
-        const bool areLabels = missing.data() == io::DataMissing::Data::Labels;
-        open(request, areLabels ? data : *there, areLabels ? *there : labels);
+        Told more = told;
+        (missing.data() == io::DataMissing::Data::Labels ? more.labels : more.data) = *there;
+        open(request, more);
+      },
+      [this, request, told](const io::SpacingMissing& missing) {
+        Told more = told;
+        more.spacing = questions_.voxelSize(missing);
+        if (more.spacing) open(request, more);
       });
 }
 
@@ -192,7 +211,16 @@ void Sessions::regularise(io::Regularise choice) {
 }
 
 void Sessions::setModality(std::optional<Modality> modality) {
-  readAgain([modality](io::StudyRequest& request) { request.session->volume.modality = modality; });
+  // What nobody chose follows the kind: the transfer function and the window that such data start with.
+  const SetScene& scene = workspace_.document.study().scene;
+  const ContextFunction& context = scene.look.context;
+  const bool startsAnew = context.preset == io::defaultPreset(*scene.volume) && context.shift == 0.0;
+  const bool hasOwnWindow = workspace_.document.window() != scene.volume->defaultWindow();
+  readAgain([modality, startsAnew, hasOwnWindow](io::StudyRequest& request) {
+    request.session->volume.modality = modality;
+    request.startsContextAnew = startsAnew;
+    if (!hasOwnWindow) request.session->window = request.slices.window = std::nullopt;
+  });
 }
 
 void Sessions::readAgain(const std::function<void(io::StudyRequest&)>& change) {

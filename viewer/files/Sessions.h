@@ -31,6 +31,8 @@ struct SessionQuestions {
   std::function<std::optional<std::filesystem::path>()> openWhich;
   /// Where the data is that the session does not find, or none.
   std::function<std::optional<std::filesystem::path>(const io::DataMissing& missing)> dataWhere;
+  /// How large voxels are, mm, of a file that does not say it; or none.
+  std::function<std::optional<glm::dvec3>(const io::SpacingMissing& missing)> voxelSize;
   /// What to do with work recovered after a crash: Save restores it, Discard removes it.
   /// `study` names what was worked on; empty where that may name the patient, who is hidden.
   std::function<Answer(const QDateTime& saved, const QString& study)> restoreWork;
@@ -81,8 +83,12 @@ class Sessions : public QObject {
  private:
   /// Reads the open study's files again after `change`; everything else stays as it is.
   void readAgain(const std::function<void(io::StudyRequest&)>& change);
-  /// With the places of data that the user has named so far; empty: none.
-  void open(Request request, const std::filesystem::path& data, const std::filesystem::path& labels);
+  /// What the user has said of the data so far; empty: nothing.
+  struct Told {
+    std::filesystem::path data, labels;
+    std::optional<glm::dvec3> spacing;
+  };
+  void open(Request request, const Told& told);
   void showTitle();
 
   QWidget& window_;

@@ -8,6 +8,7 @@
 
 #include "viewer/jobs/BackgroundThreads.h"
 #include "viewer/model/Translation.h"
+#include "viewer/model/WayOutText.h"
 
 namespace fenestra::viewer {
 namespace {
@@ -51,7 +52,7 @@ void LoadJob::start(Read read) {
     } catch (const std::bad_alloc&) {
       outcome.error = "There is not enough memory for this data set; close other programs or open a smaller series";
     } catch (const std::exception& error) {
-      outcome.error = error.what();
+      outcome.error = windowText(error).toStdString();
     }
     promise.addResult(std::move(outcome));
   }));

@@ -31,11 +31,11 @@ void StudyLoader::open(Reader read, Missing missing, Unsized unsized) {
   });
 }
 
-void StudyLoader::openLabels(const std::filesystem::path& path) {
+void StudyLoader::openLabels(const std::filesystem::path& path, const std::filesystem::path& table) {
   if (mayReplaceLabels_ && !mayReplaceLabels_()) return;
-  job_.start([this, path, volume = document_.scene().volume](const io::Progress& progress) -> LoadJob::Show {
-    const io::OpenedLabels read = io::openLabels(path, volume->grid, progress);
-    return [this, read, from = io::sessionLabels(path)] {
+  job_.start([this, path, table, volume = document_.scene().volume](const io::Progress& progress) -> LoadJob::Show {
+    const io::OpenedLabels read = io::openLabels(path, volume->grid, progress, false, table);
+    return [this, read, from = io::sessionLabels(path, table)] {
       document_.setLabels(read.labels, from);
       Q_EMIT labelsOpened(read.warnings);
     };

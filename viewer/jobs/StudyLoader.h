@@ -36,8 +36,8 @@ class StudyLoader : public QObject {
   void open(Reader read, Missing missing = {}, Unsized unsized = {});
   /// Asked before the document's labels are replaced by a file's.
   void setMayReplaceLabels(std::function<bool()> ask) { mayReplaceLabels_ = std::move(ask); }
-  /// A label map for the document's volume.
-  void openLabels(const std::filesystem::path& path);
+  /// A label map for the document's volume, with the names and colours of `table` where one is named.
+  void openLabels(const std::filesystem::path& path, const std::filesystem::path& table = {});
 
   /// The job that reads: its progress, its failure, and cancelling it.
   LoadJob& job() { return job_; }

@@ -18,6 +18,7 @@
 #include "viewer/model/Paths.h"
 #include "viewer/model/PreviewBackend.h"
 #include "viewer/model/Translation.h"
+#include "viewer/model/WayOutText.h"
 #include "viewer/panels/FileDialog.h"
 
 namespace fenestra::viewer {
@@ -250,7 +251,7 @@ void PresetPicker::attempt(const std::function<void()>& work) {
   try {
     work();
   } catch (const std::exception& error) {
-    Q_EMIT failed(QString::fromUtf8(error.what()));
+    Q_EMIT failed(windowText(error));
   }
 }
 

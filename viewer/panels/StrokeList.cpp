@@ -11,6 +11,7 @@
 #include "io/session/StrokeFile.h"
 #include "viewer/model/Document.h"
 #include "viewer/model/Paths.h"
+#include "viewer/model/WayOutText.h"
 #include "viewer/panels/FileDialog.h"
 #include "viewer/panels/StrokeModel.h"
 
@@ -81,7 +82,7 @@ void StrokeList::load(const QString& file) {
     std::move(more.begin(), more.end(), std::back_inserter(strokes));
     document_.setStrokes(std::move(strokes), tr("Load strokes"));
   } catch (const std::exception& error) {
-    Q_EMIT failed(QString::fromUtf8(error.what()));
+    Q_EMIT failed(windowText(error));
   }
 }
 
@@ -89,7 +90,7 @@ void StrokeList::save(const QString& file) {
   try {
     io::writeStrokes(toPath(file), document_.strokes());
   } catch (const std::exception& error) {
-    Q_EMIT failed(QString::fromUtf8(error.what()));
+    Q_EMIT failed(windowText(error));
   }
 }
 

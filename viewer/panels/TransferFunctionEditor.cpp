@@ -14,6 +14,7 @@
 #include "viewer/model/Document.h"
 #include "viewer/model/NumberText.h"
 #include "viewer/model/Translation.h"
+#include "viewer/model/WayOutText.h"
 #include "viewer/panels/FileDialog.h"
 
 namespace fenestra::viewer {
@@ -123,7 +124,7 @@ void TransferFunctionEditor::takeFunction(const std::string& presetOrPath) {
   try {
     showByValue(plot_->target(), document_, io::loadContextFunction(presetOrPath, *document_.scene().volume).function);
   } catch (const io::Error& error) {
-    Q_EMIT failed(QString::fromUtf8(error.what()));
+    Q_EMIT failed(windowText(error));
   }
 }
 
