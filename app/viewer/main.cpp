@@ -178,8 +178,13 @@ void openForScreenshot(MainWindow& window, const Request& request) {
     });
   });
   // With the defaults of a new user: preferences are not read where nothing is remembered.
+  // Errors keep the words of the command line, which they go to.
   window.open([study = request.studyWith(window.workspace().preferences)](const io::Progress& progress) {
-    return io::readStudy(study, progress);
+    try {
+      return io::readStudy(study, progress);
+    } catch (const io::Error& error) {
+      throw std::runtime_error(error.what());
+    }
   });
 }
 

@@ -81,7 +81,7 @@ TEST_F(SpacingWindow, AStackThatIsNamedAtTheStartIsAskedAbout) {
   answered(
       *window_, 0.03, [&] { window_->sessions().open([request] { return request; }); }, isOpen);
   EXPECT_EQ(document().scene().volume->grid.spacing, glm::dvec3(0.03));
-  EXPECT_TRUE(window_->notices().texts().filter(QStringLiteral("does not say")).isEmpty());
+  EXPECT_TRUE(window_->notices().texts().filter(QStringLiteral("how large")).isEmpty());
 }
 
 TEST_F(SpacingWindow, ASizeThatWasSaidWronglyIsCorrectedInTheMenu) {

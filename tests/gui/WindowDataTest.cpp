@@ -1,5 +1,6 @@
 // Opening data in the window: its notices, and what it remembers.
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <thread>
@@ -10,7 +11,7 @@
 #include <QDragEnterEvent>
 #include <QFileDialog>
 #include <QLabel>
-#include <QLineEdit>
+#include <QMessageBox>
 #include <QMimeData>
 #include <QPushButton>
 #include <QSettings>
@@ -104,9 +105,17 @@ void chooseBy(const MainWindow& window, const char* text, const std::filesystem:
   QCoreApplication::setAttribute(Qt::AA_DontUseNativeDialogs);
   QTimer choose;
   QObject::connect(&choose, &QTimer::timeout, [&] {
-    auto* dialog = qobject_cast<QFileDialog*>(QApplication::activeModalWidget());
+    QWidget* modal = QApplication::activeModalWidget();
+    if (auto* box = qobject_cast<QMessageBox*>(modal)) {
+      ADD_FAILURE() << box->text().toStdString();
+      box->reject();
+    }
+    auto* dialog = qobject_cast<QFileDialog*>(modal);
     if (!dialog) return;
-    dialog->findChild<QLineEdit*>(QStringLiteral("fileNameEdit"))->setText(toQString(path));
+    if (std::filesystem::is_directory(path))
+      dialog->setDirectory(toQString(path));
+    else
+      dialog->selectFile(toQString(path));
     QMetaObject::invokeMethod(dialog, "accept");
   });
   choose.start(20);
@@ -120,6 +129,7 @@ TEST_F(Window, TheFileMenuOpensAFolderOfMasksAndATableOfLabels) {
     Volume mask;
     mask.grid = document().scene().volume->grid;
     mask.voxels = Voxels(ScalarType::UInt8, mask.grid.voxelCount());
+    std::ranges::fill(mask.voxels.as<std::uint8_t>(), std::uint8_t{0});
     mask.voxels.as<std::uint8_t>()[name[0] == 'l' ? 0 : 1] = 1;
     io::writeVolume(mask, folder / name);
   }
@@ -130,14 +140,14 @@ TEST_F(Window, TheFileMenuOpensAFolderOfMasksAndATableOfLabels) {
       for (const Label& label : document().labels()->labels) names.push_back(label.name);
     return names;
   };
+  const auto become = [&](const std::vector<std::string>& names) {
+    EXPECT_TRUE(QTest::qWaitFor([&] { return namesOf() == names; }, 20000))
+        << testing::PrintToString(namesOf()) << window_->notices().texts().join(QLatin1Char('|')).toStdString();
+  };
   chooseBy(*window_, "Open a folder of &masks…", folder);
-  EXPECT_TRUE(QTest::qWaitFor([&] { return namesOf() == std::vector<std::string>{"liver", "spleen"}; }, patience));
+  become({"liver", "spleen"});
   chooseBy(*window_, "Open a &table of labels…", table);
-  EXPECT_TRUE(QTest::qWaitFor(
-      [&] {
-        return namesOf() == std::vector<std::string>{"Left lobe of the liver", "spleen"};
-      },
-      patience));
+  become({"Left lobe of the liver", "spleen"});
   EXPECT_EQ(document().study().session.labels.table, table) << "a session keeps it";
 }
 
