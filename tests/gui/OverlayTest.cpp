@@ -306,6 +306,18 @@ TEST(Overlay, ALineOfTheStudyStaysOneLineWhateverItsLength) {
   }
 }
 
+TEST(Overlay, TextOfTheStudyStaysInTheUpperThirdOfAView) {
+  for (const int height : {120, 160, 240, 400}) {
+    QImage image(300, height, QImage::Format_RGB32);
+    image.fill(Qt::black);
+    QPainter painter(&image);
+    drawStudyText(painter, image.rect(), QStringList(12, QStringLiteral("XXXX")), 1);
+    painter.end();
+    EXPECT_EQ(linesIn(image.copy(0, height / 3, image.width(), height - height / 3)), 0) << height;
+    EXPECT_GT(linesIn(image), 0) << height;
+  }
+}
+
 TEST(Overlay, TextOfTheStudyLeavesTheMiddleOfSmallViewsFree) {
   for (const int height : {120, 160, 240, 400}) {
     QImage image(300, height, QImage::Format_RGB32);

@@ -7,14 +7,18 @@
 #include <QDockWidget>
 #include <QTest>
 
+#include "io/study/ReadStudy.h"
 #include "tests/gui/PseudoLocale.h"
 #include "tests/gui/WindowFixture.h"
+#include "viewer/bars/NoticeBar.h"
+#include "viewer/dialogs/SeriesChooser.h"
+#include "viewer/dialogs/SpacingDialog.h"
 #include "viewer/style/Style.h"
 
 namespace fenestra::viewer {
 namespace {
 
-const QSize sizes[] = {{1024, 700}, {1600, 1000}, {1920, 1200}};
+const QSize sizes[] = {{1024, 700}, {1366, 768}, {1600, 1000}, {1920, 1080}, {1920, 1200}};
 
 class Screenshots : public Window {
  protected:
@@ -28,14 +32,17 @@ class Screenshots : public Window {
     for (const QSize& size : sizes) {
       window_->resize(size);
       waitUntilDrawn();
-      const QImage picture = window_->picture();
-      ASSERT_TRUE(picture.save(QStringLiteral("%1/%2-%3x%4-at-%5.png")
-                                   .arg(folder_, name)
-                                   .arg(size.width())
-                                   .arg(size.height())
-                                   .arg(window_->devicePixelRatioF())));
+      save(window_->picture(MainWindow::Patient::Shown), name);
     }
     window_.reset();
+  }
+  void save(const QImage& picture, const QString& name) {
+    const qreal ratio = window_->devicePixelRatioF();
+    ASSERT_TRUE(picture.save(QStringLiteral("%1/%2-%3x%4-at-%5.png")
+                                 .arg(folder_, name)
+                                 .arg(qRound(picture.width() / ratio))
+                                 .arg(qRound(picture.height() / ratio))
+                                 .arg(ratio)));
   }
 
   QString folder_;
@@ -54,6 +61,52 @@ TEST_F(Screenshots, LongLanguage) {
   QCoreApplication::installTranslator(&locale);
   shoot(QStringLiteral("long"));
   QCoreApplication::removeTranslator(&locale);
+}
+
+/// All that the window says of a study: notices of each kind, the patient, chips, and what is awaited.
+TEST_F(Screenshots, Notices) {
+  Window::SetUp();
+  io::Study study = markedBall();
+  study.patient = {"Vermeer^Johanna^Maria", "QX-19500102-4711", "F", "19500102"};
+  study.series = {};
+  study.series.modality = "MR";
+  study.series.description = "t1_mprage_sag_p2_iso_1.0";
+  study.series.study = "Head without contrast";
+  study.series.number = 4;
+  study.series.part = "echo time 2.46 ms";
+  study.series.thickness = study.series.step = 1.0;
+  study.otherSeries = {study.series, study.series};
+  study.otherSeries[0].part = "echo time 4.92 ms";
+  study.otherSeries[1].description = "Scout";
+  study.otherSeries[1].part.clear();
+  study.otherSeries[1].number = 1;
+  study.reason = {"the thinnest %1, %2", {"acquired volume", "1.0 mm"}};
+  study.warnings = {{io::Warning::Kind::MissingSlices, "2 slices are missing", {"a.dcm"}},
+                    {io::Warning::Kind::TimePoints, "number 1 is shown", {}, io::WayOut::ChooseTime},
+                    io::tableWarning()};
+  for (const QSize& size : {QSize(1366, 768), QSize(1920, 1080)}) {
+    window_->resize(size);
+    open(study);
+    window_->notices().addError(NoticeBar::Subject::Opening,
+                                QStringLiteral("/data/study/brain.nii: is shorter than its header says; get the file "
+                                               "again from its source"));
+    document().focusOn(marker);
+    waitUntilDrawn();
+    save(window_->picture(MainWindow::Patient::Shown), QStringLiteral("notices"));
+    views().setAwaits(true);
+    QTest::qWait(500);
+    save(window_->grab().toImage(), QStringLiteral("awaits"));
+    views().setAwaits(false);
+    waitUntilDrawn();
+  }
+  SeriesChooser chooser(study, false, window_.get());
+  chooser.show();
+  QTest::qWait(300);
+  save(chooser.grab().toImage(), QStringLiteral("series"));
+  SpacingDialog size(QStringLiteral("stack does not say how large its voxels are. Say it here:"), window_.get());
+  size.show();
+  QTest::qWait(100);
+  save(size.grab().toImage(), QStringLiteral("spacing"));
 }
 
 }  // namespace

@@ -126,6 +126,19 @@ class StudyChange : public Window {
     for (QWidget* view : allViews()) EXPECT_GT(seenIn(picture(view)).blue, many) << view->objectName().toStdString();
     EXPECT_GT(looks_, 3);
   }
+  /// A session of a blue study, with its volume beside it.
+  static std::filesystem::path writeBlueSession() {
+    const std::filesystem::path folder = tests::scratchFolder(), file = folder / "blue.fenestra";
+    const io::Study blue = painted(Paint::Blue);
+    io::writeVolume(*blue.scene.volume, folder / "ball.nii.gz");
+    io::Session session = blue.session;
+    session.volume.path = folder / "ball.nii.gz";
+    session.look = blue.scene.look;
+    session.look.focus = ValueFocus{{-100.0, 2000.0}, 0.0};
+    session.look.focusAppearance.colour = {0.0, 0.0, 1.0};
+    io::writeSession(file, session);
+    return file;
+  }
   StudyLoader::Reader slowly(const io::Study& study) {
     return [study](const io::Progress& progress) {
       for (int step = 0; step < 40 && progress(step / 40.0, "reading slowly"); ++step)
@@ -158,16 +171,18 @@ TEST_F(StudyChange, AStudyByASlowDriver) {
 }
 
 TEST_F(StudyChange, ASessionOverAStudy) {
-  const std::filesystem::path folder = tests::scratchFolder(), file = folder / "blue.fenestra";
-  const io::Study blue = painted(Paint::Blue);
-  io::writeVolume(*blue.scene.volume, folder / "ball.nii.gz");
-  io::Session session = blue.session;
-  session.volume.path = folder / "ball.nii.gz";
-  session.look = blue.scene.look;
-  session.look.focus = ValueFocus{{-100.0, 2000.0}, 0.0};
-  session.look.focusAppearance.colour = {0.0, 0.0, 1.0};
-  io::writeSession(file, session);
-  follow([&] { window_->open(std::vector{file}); });
+  follow([&] { window_->open(std::vector{writeBlueSession()}); });
+}
+
+TEST_F(StudyChange, ASessionByASlowReaderAndASlowDriver) {
+  const std::filesystem::path file = writeBlueSession();
+  const SlowDriver driver;
+  follow([&] {
+    window_->sessions().open([file] {
+      std::this_thread::sleep_for(std::chrono::milliseconds(800));
+      return io::requestOfSession(file);
+    });
+  });
 }
 
 TEST_F(StudyChange, AFailingPathLeavesAllOfItAndSaysSo) {

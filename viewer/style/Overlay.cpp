@@ -195,12 +195,12 @@ void drawWaiting(QPainter& painter, const QRectF& view, const QString& text) {
 }
 
 void drawStudyText(QPainter& painter, const QRectF& view, const QStringList& lines, int above) {
-  // Text in the middle of a small view would cover what the view is for.
-  constexpr double most = 0.42;  // of the height
+  // Below the upper quarter of a small view, text would cover what the view is for. Who it is stays.
+  constexpr double most = 0.27;  // of the height
   const double height = painter.fontMetrics().lineSpacing();
   const auto room = static_cast<qsizetype>((most * view.height() - overlayMargin) / height) - above;
   QStringList shown(above);
-  for (const QString& line : lines.mid(0, std::max<qsizetype>(room, 0)))
+  for (const QString& line : lines.mid(0, std::max<qsizetype>(room, 1)))
     // No wider than a line of a corner, or it would be wrapped.
     shown << painter.fontMetrics().elidedText(line, Qt::ElideRight,
                                               static_cast<int>(0.5 * view.width() - overlayMargin) - 1);

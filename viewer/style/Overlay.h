@@ -44,7 +44,7 @@ QRectF besideChip(const QRectF& view);
 /// A plate at the bottom of the view with one line of text: what is awaited.
 void drawWaiting(QPainter& painter, const QRectF& view, const QString& text);
 /// Lines right-aligned in the top right corner, below `above` other lines and no wider than half the view; longer ones
-/// end in dots, and those that would reach the middle are left out.
+/// end in dots, and those below the upper quarter are left out, but for the first one.
 void drawStudyText(QPainter& painter, const QRectF& view, const QStringList& lines, int above);
 /// Patient letters at the middle of the four edges; `right` and `down` are world directions.
 void drawEdgeLetters(QPainter& painter, const QRectF& view, glm::dvec3 right, glm::dvec3 down);
