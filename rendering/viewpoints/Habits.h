@@ -5,7 +5,7 @@
 // costs 0.1 has to show a tenth of the surface more. With the measures of ScanShape.h, and S the patient's axis,
 //
 //     cost(d) = 0.2 · throughCutEnd(d)      avoidCutEnds
-//             + 0.05 · (d·S)²                uprightFirst
+//             + 0.1 · (d·S)²                uprightFirst
 //             + 10 · edgeOn(d)                flatFromFront
 //
 // so that they grow smoothly from a good direction to a bad one. The second is small: it decides between sides that

@@ -32,6 +32,11 @@ double divergence(const Candidate& a, const Candidate& b) {
 /// Nearest candidates that stability compares with: a HEALPix pixel has at most eight neighbours.
 constexpr std::size_t neighbourCount = 8;
 
+/// What all of the surface is worth in terms of quality, to compare costs with it: between the best views of a
+/// structure and the middling ones lie some 0.1 of its surface and, of a small structure, some 0.2 of the
+/// quality.
+constexpr double qualityOfSurface = 2.0;
+
 }  // namespace
 
 double seenPoints(const Candidate& candidate) {
@@ -103,9 +108,6 @@ double quality(const Descriptors& d, const Weights& w) {
 }
 
 double worth(const Descriptors& descriptors, const Options& options) {
-  // The surface that a view shows counts as much as this much of its quality: between the best views of a structure and
-  // the middling ones lie some 0.1 of its surface and some 0.4 of the quality.
-  constexpr double qualityOfSurface = 4.0;
   return quality(descriptors, options.weights) - qualityOfSurface * costOf(descriptors.awkwardness, options.habits);
 }
 
@@ -194,7 +196,7 @@ constexpr double sharesOfC1 = 0.8;
 /// views that habits avoid.
 double farness(const Descriptors& d, double cost) {
   constexpr double perOrientation = 0.1;
-  return d.visibility - perOrientation * d.orientation + cost;
+  return d.visibility - perOrientation * d.orientation + qualityOfSurface * cost;
 }
 
 /// A candidate of the joint search, with the most that it can add to a pair's value.

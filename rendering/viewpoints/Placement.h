@@ -87,7 +87,7 @@ struct Pair {
 /// · mean quality - costOfPair(). Both are admitted, unless no such pair stands in either's region. A share is known to
 /// about a hundredth, so pairs within 0.01 of the greatest value are equally good; among these the pair that looks
 /// through least is taken, C1 before C2: the least 0.8 · f(c1) + 0.2 · f(c2), where f = visibility - 0.1 · orientation
-/// + cost. Then ties go to the greater value, then to the lowest indices.
+/// + 2 · cost. Then ties go to the greater value, then to the lowest indices.
 std::optional<Pair> jointSearch(const std::vector<Candidate>& candidates, std::size_t points, const Options& options);
 /// The best orthogonal pair of the six standard views by share, among candidates that hold them.
 std::optional<Pair> bestStandardPair(const std::vector<Candidate>& candidates, std::size_t points);

@@ -106,9 +106,9 @@ std::string directionText(glm::dvec3 d) {
 class Sheet {
  public:
   explicit Sheet(int rows)
-      : page_(margin + 4 * (cell.x + gap) - gap, margin + rows * (cell.y + gap) + margin, QImage::Format_RGB888),
-        painter_(&page_) {
+      : page_(margin + 4 * (cell.x + gap) - gap, margin + rows * (cell.y + gap) + margin, QImage::Format_RGB32) {
     page_.fill(Qt::white);
+    painter_.begin(&page_);
     painter_.setPen(Qt::black);
     const char* const captions[] = {"C1, the paper's", "C2, the paper's", "C1, with habits", "C2, with habits"};
     for (int c = 0; c < 4; ++c)
