@@ -7,7 +7,7 @@
 namespace fenestra::placement {
 namespace {
 
-constexpr double cutEndCost = 0.2, lyingCost = 0.1, edgeOnCost = 10.0;
+constexpr double cutEndCost = 0.3, lyingCost = 0.1, edgeOnCost = 10.0;
 constexpr double mostThroughCutEnd = 0.5;
 constexpr double enough = 2.0 / 3.0;  ///< of what a view through a cut end shows
 constexpr double partOfC2 = 0.5;

@@ -4,7 +4,7 @@
 // A habit costs a view of direction d a part of its worth. Costs count in shares of the focus's surface: a view that
 // costs 0.1 has to show a tenth of the surface more. With the measures of ScanShape.h, and S the patient's axis,
 //
-//     cost(d) = 0.2 · throughCutEnd(d)      avoidCutEnds
+//     cost(d) = 0.3 · throughCutEnd(d)      avoidCutEnds
 //             + 0.1 · (d·S)²                uprightFirst
 //             + 10 · edgeOn(d)                flatFromFront
 //

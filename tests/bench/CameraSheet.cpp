@@ -32,7 +32,7 @@ namespace fs = std::filesystem;
 using namespace placement;
 using bench::fixed, bench::tableHeader, bench::tableRow;
 
-constexpr glm::ivec2 cell{210, 196};  ///< pixels
+constexpr glm::ivec2 cell{170, 158};  ///< pixels
 constexpr int gap = 6, margin = 24;   ///< pixels, the latter for captions
 constexpr int finer = 2;              ///< times finer is what is rendered and then averaged
 constexpr double zoom = 1.25;
