@@ -25,12 +25,13 @@ double millisecondsSince(std::chrono::steady_clock::time_point start) {
 
 Json listOf(glm::dvec3 v) { return {v.x, v.y, v.z}; }
 
-Json candidateJson(const Measured& measured, std::size_t index, const Weights& weights) {
+Json candidateJson(const Measured& measured, std::size_t index, const Options& by) {
   const Candidate& candidate = measured.candidates[index];
   const Descriptors& d = candidate.descriptors;
   return {{"index", index},
           {"direction", listOf(candidate.direction)},
-          {"quality", quality(d, weights)},
+          {"quality", quality(d, by.weights)},
+          {"worth", worth(d, by)},
           {"descriptors",
            {{"visibility", d.visibility},
             {"coverage", d.coverage},
@@ -40,15 +41,28 @@ Json candidateJson(const Measured& measured, std::size_t index, const Weights& w
             {"stability", d.stability},
             {"orientation", d.orientation},
             {"end_face", d.endFace}}},
+          {"awkward",
+           {{"through_cut_end", d.awkwardness.throughCutEnd},
+            {"lying", d.awkwardness.lying},
+            {"edge_on", d.awkwardness.edgeOn}}},
           {"pixels", candidate.sums.count},
           {"box", {candidate.sums.box.x, candidate.sums.box.y, candidate.sums.box.z, candidate.sums.box.w}},
           {"share", seenShare(candidate, candidate, measured.surfacePoints)}};
 }
 
-Json cameraJson(const Measured& measured, std::optional<std::size_t> index, const Weights& weights,
-                const Framing& framed, Projection projection) {
+/// The cut ends by the side of the patient that they are nearest to.
+Json scanJson(const ScanShape& scan) {
+  Json ends = Json::object();
+  for (std::size_t f = 0; f < scan.faces.size(); ++f)
+    ends[std::string(1, "LPSRAI"[f])] = {
+        {"cut", scan.faces[f].cut}, {"contact", scan.faces[f].contact}, {"behind", scan.faces[f].behind}};
+  return {{"ends", ends}, {"flatness", scan.flatness}, {"front", listOf(scan.front)}};
+}
+
+Json cameraJson(const Measured& measured, std::optional<std::size_t> index, const Options& by, const Framing& framed,
+                Projection projection) {
   if (!index) return nullptr;
-  Json json = candidateJson(measured, *index, weights);
+  Json json = candidateJson(measured, *index, by);
   const Camera camera = Camera::fromDirection(measured.candidates[*index].direction, framed, projection);
   json["camera"] = {{"eye", listOf(camera.eye)}, {"target", listOf(camera.target)}, {"up", listOf(camera.axes().up)}};
   return json;
@@ -59,12 +73,12 @@ constexpr glm::ivec2 thumbnail{320, 240};
 
 void describe(const PlaceOptions& options, const io::Study& study, const std::shared_ptr<GpuScene>& gpu,
               const Measured& measured, std::size_t c1, const Framing& framed, Json& json) {
-  const Weights& weights = options.placement.weights;
   const Projection projection = study.view->camera.projection;
   const DescribedViews views =
       describeViews(*gpu, study.drawn.scene(), measured, options.sampling, options.descriptors.needsImages());
-  const DescribedPlacement placed{
-      measured, views, c1, [&](std::size_t index) { return cameraJson(measured, index, weights, framed, projection); }};
+  const DescribedPlacement placed{measured, views, c1, [&](std::size_t index) {
+                                    return cameraJson(measured, index, options.placement, framed, projection);
+                                  }};
   addDescriptors(json, options.descriptors, placed);
   if (options.descriptors.pictures.empty()) return;
   View view = *study.view;
@@ -104,14 +118,14 @@ void place(const PlaceOptions& options) {
   const double chooseTime = millisecondsSince(choosing);
   if (!placement.c1) throw io::Error(options.study.source(), placement.note, placementHint);
 
-  if (!options.map.empty()) writeQualityMap(options.map, *measured, options.placement.weights, placement);
-  const Weights& weights = options.placement.weights;
+  if (!options.map.empty()) writeQualityMap(options.map, *measured, options.placement, placement);
+  const Options& by = options.placement;
   const Framing framed = visibleFraming(shownVolume(scene), scene.look.context.shifted());
   const Projection projection = study.view->camera.projection;
   const auto standard = bestStandardPair(measured->candidates, measured->surfacePoints);
   Json json = {
-      {"c1", cameraJson(*measured, placement.c1, weights, framed, projection)},
-      {"c2", cameraJson(*measured, placement.c2, weights, framed, projection)},
+      {"c1", cameraJson(*measured, placement.c1, by, framed, projection)},
+      {"c2", cameraJson(*measured, placement.c2, by, framed, projection)},
       {"share", placement.share},
       {"standard_pair_share", standard ? Json(standard->share) : Json(nullptr)},
       {"note", placement.note},
@@ -119,6 +133,11 @@ void place(const PlaceOptions& options) {
       {"refined", options.sampling.refined},
       {"joint", options.joint},
       {"region", options.placement.region == Region::Stream ? "stream" : "semi-sphere"},
+      {"habits",
+       {{"avoid_cut_ends", by.habits.avoidCutEnds},
+        {"upright_first", by.habits.uprightFirst},
+        {"flat_from_front", by.habits.flatFromFront}}},
+      {"scan", scanJson(measured->scan)},
       {"surface", {{"mm2", measured->surfaceArea}, {"points", measured->surfacePoints}}},
       {"milliseconds", {{"upload", uploadTime}, {"measure", times}, {"choose", chooseTime}}},
       {"gl", context.description()},
@@ -126,7 +145,7 @@ void place(const PlaceOptions& options) {
   if (options.everyCandidate) {
     json["all"] = Json::array();
     for (std::size_t i = 0; i < measured->candidates.size(); ++i)
-      json["all"].push_back(candidateJson(*measured, i, weights));
+      json["all"].push_back(candidateJson(*measured, i, by));
   }
   if (!options.descriptors.isEmpty()) describe(options, study, gpu, *measured, *placement.c1, framed, json);
   printJson(json);

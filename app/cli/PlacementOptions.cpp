@@ -122,6 +122,18 @@ void addWeights(app::Command command, placement::Weights& weights) {
   add("--end-face", "the share of the focus seen through a cut end of the scan", weights.endFace);
 }
 
+void addHabits(app::Command command, placement::Habits& habits) {
+  const auto add = [&](const char* name, const std::string& meaning, bool& habit) {
+    app::addChoice<bool>(command, name, meaning + "; default on", {{"on", true}, {"off", false}}, habit);
+  };
+  add("--avoid-cut-ends",
+      "not through an end of the scan where the body goes on, unless no other view shows two thirds",
+      habits.avoidCutEnds);
+  add("--upright-first", "from around the patient rather than from above or below, where both show as much",
+      habits.uprightFirst);
+  add("--flat-from-front", "a thin stack of slices from its front, not edge-on", habits.flatFromFront);
+}
+
 }  // namespace
 
 void addPlacementOptions(app::Command command, PlaceOptions& options) {
@@ -137,6 +149,7 @@ void addPlacementOptions(app::Command command, PlaceOptions& options) {
   app::addNumber(command, "--delta", 0.0, 90.0, "DEGREES", "half width of the stream, default 15",
                  options.placement.streamHalfWidth);
   addWeights(command, options.placement.weights);
+  addHabits(command, options.placement.habits);
   const app::Option joint = command.addFlag("--joint", options.joint, "search both cameras at once (default)");
   const app::Option sequential =
       command.addFlag("!--sequential", options.joint, "first the best view, then the best one beside it, as the paper");
@@ -166,6 +179,7 @@ void useAsDefaults(const io::Session& session, PlaceOptions& options) {
   options.sampling.count = saved.samples;
   options.sampling.refined = saved.refined;
   options.placement.weights = saved.weights;
+  options.placement.habits = saved.habits;
   options.placement.region = saved.inStream ? placement::Region::Stream : placement::Region::SemiSphere;
   options.placement.streamHalfWidth = saved.streamHalfWidth;
   options.placement.shareWeight = saved.shareWeight;

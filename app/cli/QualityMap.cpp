@@ -33,11 +33,11 @@ glm::dvec3 directionAt(glm::ivec2 pixel) {
 }  // namespace
 
 void writeQualityMap(const std::filesystem::path& path, const placement::Measured& measured,
-                     const placement::Weights& weights, const placement::Placement& placement) {
+                     const placement::Options& options, const placement::Placement& placement) {
   std::vector<double> qualities;
   double least = 1e300, greatest = -1e300;
   for (std::size_t i = 0; i < measured.spread; ++i) {
-    qualities.push_back(quality(measured.candidates[i].descriptors, weights));
+    qualities.push_back(worth(measured.candidates[i].descriptors, options));
     if (measured.candidates[i].sums.count <= 0.0) continue;
     least = std::min(least, qualities.back());
     greatest = std::max(greatest, qualities.back());

@@ -11,6 +11,6 @@ namespace fenestra::cli {
 /// dark (worst) to bright (best); grey where the focus is not seen. C1 is a filled mark, C2 an open one. Throws
 /// io::Error.
 void writeQualityMap(const std::filesystem::path& path, const placement::Measured& measured,
-                     const placement::Weights& weights, const placement::Placement& placement);
+                     const placement::Options& options, const placement::Placement& placement);
 
 }  // namespace fenestra::cli

@@ -69,6 +69,7 @@ struct SessionPlacement {
   int samples = 192;
   bool refined = false;
   placement::Weights weights;
+  placement::Habits habits;
   bool inStream = false;  ///< C2 in the band around C1's great circle, not in the half sphere
   double streamHalfWidth = placement::Options().streamHalfWidth;
   double shareWeight = placement::Options().shareWeight;

@@ -54,6 +54,12 @@ void members(auto& io, Is<Weights> auto& weights) {
   io("end_face", weights.endFace);
 }
 
+void members(auto& io, Is<Habits> auto& habits) {
+  io("avoid_cut_ends", habits.avoidCutEnds, {}, {"Not through an end of the scan where the body goes on"});
+  io("upright_first", habits.uprightFirst, {}, {"From around the patient rather than from above or below"});
+  io("flat_from_front", habits.flatFromFront, {}, {"A thin stack of slices from its front"});
+}
+
 void members(auto& io, Is<LiveSyncWeights> auto& weights) {
   constexpr double most = 1000.0;
   io("orientation", weights.orientation, {0.0, most}, {"Of how usual a view is of a patient"});
@@ -132,6 +138,7 @@ void members(auto& io, Is<SessionPlacement> auto& placement) {
   io("samples", placement.samples, {12.0, 12288.0}, {"Directions to try"});
   io("refined", placement.refined, {}, {"Whether the best directions are refined"});
   io("weights", placement.weights);
+  io("habits", placement.habits);
   io("in_stream", placement.inStream, {},
      {"Whether C2 lies in the band around C1's great circle instead of the half sphere"});
   io("stream_half_width", placement.streamHalfWidth, {0.0, 90.0}, {"Of that band", "degrees"});

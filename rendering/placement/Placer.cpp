@@ -33,6 +33,12 @@ std::vector<std::uint16_t> labelsOf(const FocusSurface& surface, const Scene& sc
   return labels;
 }
 
+ScanShape scanOf(const FocusSurface& surface, const Scene& drawn, const std::vector<HalfSpace>& kept) {
+  std::vector<glm::dvec3> points;
+  for (const FocusSurface::Point& point : surface.points) points.push_back(point.index);
+  return scanShape(shownVolume(drawn), kept, points);
+}
+
 }  // namespace
 
 const Measured& Placer::measure(GpuScene& gpu, const Scene& scene, const Sampling& sampling, const Options& options) {
@@ -54,8 +60,11 @@ Placer::Batch::Batch(std::vector<glm::dvec3> wanted) : directions(std::move(want
 void Placer::begin(GpuScene& gpu, const Scene& scene, const Sampling& sampling, const Options& options) {
   task_.reset();
   gpu.update(scene);
-  Key key{gpu.versions().volume, gpu.versions().focus, sampling,
-          sampling.refined ? std::optional(options) : std::nullopt, std::nullopt,
+  Key key{gpu.versions().volume,
+          gpu.versions().focus,
+          sampling,
+          sampling.refined ? std::optional(options) : std::nullopt,
+          std::nullopt,
           halfSpaces(scene.look.clipping, gpu.grid())};
   if (options.weights.endFace != 0.0)
     key.gaps = gpu.versions().gaps;
@@ -71,6 +80,7 @@ void Placer::begin(GpuScene& gpu, const Scene& scene, const Sampling& sampling, 
   task.measured.surfacePoints = task.surface.points.size();
   task.measured.surfaceArea = task.surface.area;
   task.measured.pointLabels = labelsOf(task.surface, gpu.drawn(scene));
+  task.measured.scan = scanOf(task.surface, gpu.drawn(scene), key.kept);
   if (sampling.refined) {
     task.refinement.emplace(options, task.measured.surfacePoints);
     task.measured.refinedFor = options;
@@ -99,8 +109,12 @@ bool Placer::advance(const GpuScene& gpu, std::size_t count) {
   }
   const bool coarse = task_->refinement && task_->refinement->isLeading();
   const int side = CandidateImages::sideFor(gpu, task_->key.sampling.side) / (coarse ? 2 : 1);
-  std::vector<Candidate> measured = images_.measure(gpu, directions, task_->surface, side, task_->key.gaps.has_value(), task_->key.kept);
-  for (std::size_t i = 0; i < measured.size(); ++i) batch.measured[batch.order[first + i]] = std::move(measured[i]);
+  std::vector<Candidate> measured =
+      images_.measure(gpu, directions, task_->surface, side, task_->key.gaps.has_value(), task_->key.kept);
+  for (std::size_t i = 0; i < measured.size(); ++i) {
+    measured[i].descriptors.awkwardness = awkwardness(task_->measured.scan, measured[i].direction);
+    batch.measured[batch.order[first + i]] = std::move(measured[i]);
+  }
   if (!batch.isDone()) return false;
 
   if (!task_->standard) {

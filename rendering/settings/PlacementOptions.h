@@ -24,8 +24,19 @@ enum class Region : std::uint8_t {
   SemiSphere,  ///< the half sphere c·a ≥ 0 around C1's right axis a
 };
 
+/// Where a person would look from, beside what shows most (rendering/viewpoints/Habits.h). All off: the paper's
+/// placement, which knows the focus alone.
+struct Habits {
+  bool avoidCutEnds = true;   ///< not through an end of the scan where the body goes on
+  bool uprightFirst = true;   ///< from around the patient rather than from above or below, at equal worth
+  bool flatFromFront = true;  ///< a thin stack of slices from its front
+  bool operator==(const Habits&) const = default;
+};
+inline constexpr Habits noHabits{false, false, false};
+
 struct Options {
   Weights weights;
+  Habits habits;
   Region region = Region::SemiSphere;
   double streamHalfWidth = 15.0;  ///< δ, degrees; more than 30 is as 30
   double shareWeight = 0.8;       ///< joint search: 1 for the share of the surface alone, 0 for the mean quality alone

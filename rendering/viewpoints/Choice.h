@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "rendering/viewpoints/Placement.h"
+#include "rendering/viewpoints/ScanShape.h"
 
 namespace fenestra::placement {
 
@@ -40,6 +41,7 @@ struct Measured {
   std::size_t surfacePoints = 0;
   std::vector<std::uint16_t> pointLabels;  ///< of the surface points, where the focus is labels; else empty
   double surfaceArea = 0.0;                ///< mm²
+  ScanShape scan;
 };
 
 /// In the paper's order: the best view, then the best view of its region. With `joint` both at once (jointSearch), the

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "rendering/viewpoints/Placement.h"
+#include "rendering/viewpoints/ScanShape.h"
 #include "rendering/viewpoints/Sphere.h"
 #include "rendering/volume/Threads.h"
 
@@ -141,13 +142,28 @@ std::vector<glm::ivec3> sampled(const LocalShape& shape, const Clipped& isClippe
   return voxels;
 }
 
-/// The best of the candidates that `may` take.
+/// The best of the candidates that `may` take and that no habit refuses.
 template <class May>
-std::optional<std::size_t> bestOf(const RatedViews& views, const May& may) {
-  std::optional<std::size_t> best;
+std::optional<std::size_t> bestOf(const RatedViews& views, const std::vector<Awkwardness>& awkward,
+                                  const Habits& habits, const May& may) {
+  CutEndRule rule(habits);
   for (std::size_t i = 0; i < views.ratings.size(); ++i)
-    if (may(views.directions[i]) && (!best || views.ratings[i] > views.ratings[*best] + sameRating)) best = i;
+    if (may(views.directions[i])) rule.add(awkward[i], views.scores[i].visibility);
+  std::optional<std::size_t> best;
+  double greatest = 0.0;
+  for (std::size_t i = 0; i < views.ratings.size(); ++i) {
+    if (!may(views.directions[i]) || !rule.admits(awkward[i], views.scores[i].visibility)) continue;
+    const double worth = views.ratings[i] - costOf(awkward[i], habits);
+    if (best && worth <= greatest + sameRating) continue;
+    best = i;
+    greatest = worth;
+  }
   return best;
+}
+
+ScanShape scanOf(const Scene& scene, const LocalShape& shape) {
+  const std::vector<glm::dvec3> points(shape.voxels.begin(), shape.voxels.end());
+  return scanShape(shownVolume(scene), halfSpaces(scene.look.clipping, scene.volume->grid), points);
 }
 
 }  // namespace
@@ -245,23 +261,28 @@ double rating(const SphereScores& scores, const LiveSyncWeights& weights) {
 }
 
 RatedViews rateViews(const Scene& scene, const Structure& structure, glm::dvec3 pick, int nside,
-                     const LiveSyncOptions& options, const Options& region, std::optional<glm::dvec3> last) {
+                     const LiveSyncOptions& options, const Options& usual, std::optional<glm::dvec3> last) {
   RatedViews views;
   views.directions = ringDirections(nside);
   views.directions.insert(views.directions.end(), standardDirections().begin(), standardDirections().end());
   views.shape = localShape(structure, pick, options.reach);
   const std::vector<double> visible = visibilityScores(scene, structure, views.shape, views.directions);
+  const ScanShape scan = scanOf(scene, views.shape);
+  std::vector<Awkwardness> awkward;
   for (std::size_t i = 0; i < views.directions.size(); ++i) {
     const glm::dvec3 direction = views.directions[i];
     views.scores.push_back({orientationScore(direction),
                             last ? std::optional(historyScore(direction, *last)) : std::nullopt,
                             views.shape.score(direction), visible[i]});
+    awkward.push_back(awkwardness(scan, direction));
     views.ratings.push_back(rating(views.scores.back(), options.weights));
   }
   if (views.shape.voxels.empty()) return views;
-  views.c1 = bestOf(views, [](glm::dvec3) { return true; });
-  views.c2 =
-      bestOf(views, [&](glm::dvec3 direction) { return inRegion(views.directions[*views.c1], direction, region); });
+  Habits habits = usual.habits;
+  habits.uprightFirst = false;  // the sphere of the patient's orientation says that
+  views.c1 = bestOf(views, awkward, habits, [](glm::dvec3) { return true; });
+  views.c2 = bestOf(views, awkward, habits,
+                    [&](glm::dvec3 direction) { return inRegion(views.directions[*views.c1], direction, usual); });
   return views;
 }
 

@@ -95,8 +95,11 @@ struct RatedViews {
 /// Rates 12·nside² directions for a pick (world mm) on a structure. C1 is the best one. C2 is the best one of its
 /// region, as in the paper's placement (inRegion), so that the two views complement each other. Ratings that differ by
 /// rounding are equal; among equal ones the lowest index is taken. `last` is the direction of the last camera.
+/// The region and the habits are those of `usual`: what they cost is taken off the ratings, and views through cut ends
+/// are refused, by their visibility, as Habits.h says. The preference for upright views is left to the patient's
+/// orientation.
 RatedViews rateViews(const Scene& scene, const Structure& structure, glm::dvec3 pick, int nside,
-                     const LiveSyncOptions& options, const Options& region,
+                     const LiveSyncOptions& options, const Options& usual,
                      std::optional<glm::dvec3> last = std::nullopt);
 
 /// The camera that looks at `pick` from a direction, as far away as one that has all of `framing` in its picture.

@@ -12,13 +12,6 @@ namespace {
 
 bool sees(const std::vector<std::uint64_t>& bits, std::size_t point) { return bits[point / 64] >> (point % 64) & 1u; }
 
-/// How many surface points a candidate sees; they stand for equal areas, so p(o|v) is 1 over it for each.
-double seenCount(const std::vector<std::uint64_t>& bits) {
-  double count = 0.0;
-  for (const std::uint64_t word : bits) count += std::popcount(word);
-  return count;
-}
-
 /// Jensen–Shannon divergence in bits of two uniform distributions over the points they see; in [0, 1].
 double divergence(const Candidate& a, const Candidate& b) {
   double onlyA = 0.0, onlyB = 0.0, both = 0.0;
@@ -39,7 +32,18 @@ double divergence(const Candidate& a, const Candidate& b) {
 /// Nearest candidates that stability compares with: a HEALPix pixel has at most eight neighbours.
 constexpr std::size_t neighbourCount = 8;
 
+/// What all of the surface is worth in terms of quality, to compare costs with it: between the best views of a
+/// structure and the middling ones lie some 0.1 of its surface and, of a small structure, some 0.2 of the
+/// quality.
+constexpr double qualityOfSurface = 2.0;
+
 }  // namespace
+
+double seenPoints(const Candidate& candidate) {
+  double count = 0.0;
+  for (const std::uint64_t word : candidate.seen) count += std::popcount(word);
+  return count;
+}
 
 Descriptors describe(const ImageSums& sums, int side, glm::dvec3 direction) {
   Descriptors d;
@@ -59,7 +63,7 @@ void describeTogether(std::vector<Candidate>& candidates, std::size_t points) {
   std::vector<double> mean(points, 0.0);
   double seeing = 0.0;
   for (const Candidate& candidate : candidates) {
-    const double count = seenCount(candidate.seen);
+    const double count = seenPoints(candidate);  // they stand for equal areas, so p(o|v) is 1 / count for each
     if (count == 0.0) continue;
     ++seeing;
     for (std::size_t o = 0; o < points; ++o)
@@ -70,7 +74,7 @@ void describeTogether(std::vector<Candidate>& candidates, std::size_t points) {
   std::vector<double> information(candidates.size(), 0.0);
   for (std::size_t v = 0; v < candidates.size(); ++v) {
     Candidate& candidate = candidates[v];
-    const double count = seenCount(candidate.seen);
+    const double count = seenPoints(candidate);
     if (count == 0.0) continue;
     candidate.descriptors.entropy = std::log(count) / std::log(static_cast<double>(points));
     for (std::size_t o = 0; o < points; ++o)
@@ -78,7 +82,7 @@ void describeTogether(std::vector<Candidate>& candidates, std::size_t points) {
     greatest = std::max(greatest, information[v]);
   }
   for (std::size_t v = 0; v < candidates.size(); ++v)
-    if (seenCount(candidates[v].seen) > 0.0)
+    if (seenPoints(candidates[v]) > 0.0)
       candidates[v].descriptors.mutualInformation = greatest > 0.0 ? 1.0 - information[v] / greatest : 1.0;
 
   std::vector<std::size_t> order(candidates.size());
@@ -103,6 +107,10 @@ double quality(const Descriptors& d, const Weights& w) {
          w.endFace * d.endFace;
 }
 
+double worth(const Descriptors& descriptors, const Options& options) {
+  return quality(descriptors, options.weights) - qualityOfSurface * costOf(descriptors.awkwardness, options.habits);
+}
+
 Camera::Axes axesAt(glm::dvec3 direction) {
   Camera camera;
   camera.target = glm::dvec3(0.0);
@@ -121,30 +129,52 @@ bool inRegion(glm::dvec3 c1, glm::dvec3 c2, const Options& options) {
   return glm::dot(c2, axesAt(c1).right) >= -rim;
 }
 
-std::optional<std::size_t> bestView(const std::vector<Candidate>& candidates, const Options& options) {
+namespace {
+
+/// The candidates that see the focus, that `may` take and that are admitted among those.
+template <class May>
+std::vector<bool> admittedAmong(const std::vector<Candidate>& candidates, const Options& options, const May& may) {
+  CutEndRule rule(options.habits);
+  std::vector<bool> admitted;
+  for (const Candidate& candidate : candidates) {
+    admitted.push_back(candidate.sums.count > 0.0 && may(candidate));
+    if (admitted.back()) rule.add(candidate.descriptors.awkwardness, seenPoints(candidate));
+  }
+  for (std::size_t i = 0; i < candidates.size(); ++i)
+    admitted[i] = admitted[i] && rule.admits(candidates[i].descriptors.awkwardness, seenPoints(candidates[i]));
+  return admitted;
+}
+
+template <class May>
+std::optional<std::size_t> bestAmong(const std::vector<Candidate>& candidates, const Options& options, const May& may) {
+  const std::vector<bool> admitted = admittedAmong(candidates, options, may);
   std::optional<std::size_t> best;
   double greatest = 0.0;
   for (std::size_t i = 0; i < candidates.size(); ++i) {
-    if (candidates[i].sums.count <= 0.0) continue;
-    const double q = quality(candidates[i].descriptors, options.weights);
-    if (best && q <= greatest) continue;
+    if (!admitted[i]) continue;
+    const double w = worth(candidates[i].descriptors, options);
+    if (best && w <= greatest) continue;
     best = i;
-    greatest = q;
+    greatest = w;
   }
   return best;
 }
 
+bool any(const Candidate&) { return true; }
+
+}  // namespace
+
+std::vector<bool> admitted(const std::vector<Candidate>& candidates, const Options& options) {
+  return admittedAmong(candidates, options, any);
+}
+
+std::optional<std::size_t> bestView(const std::vector<Candidate>& candidates, const Options& options) {
+  return bestAmong(candidates, options, any);
+}
+
 std::optional<std::size_t> dualView(const std::vector<Candidate>& candidates, glm::dvec3 c1, const Options& options) {
-  std::optional<std::size_t> best;
-  double greatest = 0.0;
-  for (std::size_t i = 0; i < candidates.size(); ++i) {
-    if (candidates[i].sums.count <= 0.0 || !inRegion(c1, candidates[i].direction, options)) continue;
-    const double q = quality(candidates[i].descriptors, options.weights);
-    if (best && q <= greatest) continue;
-    best = i;
-    greatest = q;
-  }
-  return best;
+  return bestAmong(candidates, options,
+                   [&](const Candidate& candidate) { return inRegion(c1, candidate.direction, options); });
 }
 
 double seenShare(const Candidate& a, const Candidate& b, std::size_t points) {
@@ -162,16 +192,17 @@ constexpr double sameValue = 0.01;
 /// C1 is the view that people look at first.
 constexpr double sharesOfC1 = 0.8;
 
-/// How much lies between a camera and the focus: its depth, less a little for views near a standard one.
-double farness(const Descriptors& d) {
+/// How much lies between a camera and the focus: its depth, less a little for views near a standard one, and more for
+/// views that habits avoid.
+double farness(const Descriptors& d, double cost) {
   constexpr double perOrientation = 0.1;
-  return d.visibility - perOrientation * d.orientation;
+  return d.visibility - perOrientation * d.orientation + qualityOfSurface * cost;
 }
 
 /// A candidate of the joint search, with the most that it can add to a pair's value.
 struct View {
   std::size_t index;
-  double quality, bound, farness;
+  double quality, cost, bound, farness;
 };
 
 /// Calls `visit(a, b)` for each two views that may stand together and whose bounds add up to at least `least()`.
@@ -186,21 +217,29 @@ void forEachPair(const std::vector<View>& views, const std::vector<Candidate>& c
     }
 }
 
-}  // namespace
-
-std::optional<Pair> jointSearch(const std::vector<Candidate>& candidates, std::size_t points, const Options& options) {
-  const double shareWeight = options.shareWeight;
+/// The views that `may` be taken, by what they can add.
+std::vector<View> viewsOf(const std::vector<Candidate>& candidates, const std::vector<bool>& may, std::size_t points,
+                          const Options& options) {
   std::vector<View> views;
   for (std::size_t i = 0; i < candidates.size(); ++i) {
-    if (candidates[i].sums.count <= 0.0) continue;
-    const double q = quality(candidates[i].descriptors, options.weights);
+    if (!may[i]) continue;
+    const Descriptors& d = candidates[i].descriptors;
+    const double q = quality(d, options.weights), cost = costOf(d.awkwardness, options.habits);
     const double share = seenShare(candidates[i], candidates[i], points);
-    views.push_back({i, q, shareWeight * share + (1.0 - shareWeight) * 0.5 * q, farness(candidates[i].descriptors)});
+    // Whatever the other view costs, this one adds at least so much to the pair's cost.
+    const double most = options.shareWeight * share + (1.0 - options.shareWeight) * 0.5 * q - costOfPair(0.0, cost);
+    views.push_back({i, q, cost, most, farness(d, cost)});
   }
   std::stable_sort(views.begin(), views.end(), [](const View& a, const View& b) { return a.bound > b.bound; });
+  return views;
+}
+
+std::optional<Pair> bestPair(const std::vector<View>& views, const std::vector<Candidate>& candidates,
+                             std::size_t points, const Options& options) {
+  const double shareWeight = options.shareWeight;
   const auto valueOf = [&](const View& a, const View& b) {
     const double share = seenShare(candidates[a.index], candidates[b.index], points);
-    return shareWeight * share + (1.0 - shareWeight) * 0.5 * (a.quality + b.quality);
+    return shareWeight * share + (1.0 - shareWeight) * 0.5 * (a.quality + b.quality) - costOfPair(a.cost, b.cost);
   };
 
   double greatest = -std::numeric_limits<double>::infinity();
@@ -228,6 +267,18 @@ std::optional<Pair> jointSearch(const std::vector<Candidate>& candidates, std::s
       });
   if (!best) return std::nullopt;
   return Pair{best->c1, best->c2, seenShare(candidates[best->c1], candidates[best->c2], points)};
+}
+
+}  // namespace
+
+std::optional<Pair> jointSearch(const std::vector<Candidate>& candidates, std::size_t points, const Options& options) {
+  const auto search = [&](const Options& by) {
+    return bestPair(viewsOf(candidates, admitted(candidates, by), points, by), candidates, points, by);
+  };
+  if (const std::optional<Pair> pair = search(options)) return pair;
+  Options lenient = options;
+  lenient.habits.avoidCutEnds = false;
+  return search(lenient);
 }
 
 std::optional<Pair> bestStandardPair(const std::vector<Candidate>& candidates, std::size_t points) {

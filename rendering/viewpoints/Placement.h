@@ -11,6 +11,7 @@
 
 #include "rendering/settings/Camera.h"
 #include "rendering/settings/PlacementOptions.h"
+#include "rendering/viewpoints/Habits.h"
 
 namespace fenestra::placement {
 
@@ -38,6 +39,8 @@ struct Descriptors {
   /// The share of the focus's image that is seen through an end of the scan: of its rays, those whose first point of
   /// context or focus is where they enter the volume's box, so that they come in through a cut face of the body.
   double endFace = 0.0;
+  /// What habits cost the view. Placer fills it in, as it depends on the scan; without, no direction is awkward.
+  Awkwardness awkwardness;
 };
 
 /// One viewpoint: where it is, what it measures, which surface points it sees.
@@ -48,21 +51,29 @@ struct Candidate {
   std::vector<std::uint64_t> seen;  ///< a bit for each point of the focus's surface; empty when not asked for
 };
 
+/// How many points of the focus's surface it sees.
+double seenPoints(const Candidate& candidate);
+
 /// vd1, vd2, vd3 and the orientation prior of an image of side² pixels.
 Descriptors describe(const ImageSums& sums, int side, glm::dvec3 direction);
 /// Fills in entropy, mutual information and stability, which depend on all candidates and on their seen points.
 void describeTogether(std::vector<Candidate>& candidates, std::size_t points);
 
 double quality(const Descriptors& descriptors, const Weights& weights);
+/// The quality less what the options' habits cost the view: what single views are chosen by.
+double worth(const Descriptors& descriptors, const Options& options);
 
 /// Camera axes at a candidate: looking at the centre, the patient upright.
 Camera::Axes axesAt(glm::dvec3 direction);
 /// Whether C2 may look from `c2`: in the region of the options, and between 60° and 120° from C1.
 bool inRegion(glm::dvec3 c1, glm::dvec3 c2, const Options& options);
 
-/// Index of the best candidate; ties go to the lowest. Empty when no candidate sees the focus.
+/// Which candidates see the focus and are not refused by the options' habits.
+std::vector<bool> admitted(const std::vector<Candidate>& candidates, const Options& options);
+
+/// Index of the admitted candidate of greatest worth; ties go to the lowest. Empty when no candidate sees the focus.
 std::optional<std::size_t> bestView(const std::vector<Candidate>& candidates, const Options& options);
-/// The best candidate in c1's region.
+/// The same among the candidates in c1's region.
 std::optional<std::size_t> dualView(const std::vector<Candidate>& candidates, glm::dvec3 c1, const Options& options);
 
 /// Share of the surface points that at least one of two candidates sees.
@@ -73,9 +84,10 @@ struct Pair {
   double share = 0.0;
 };
 /// Both cameras at once: the pair, either in the other's region, that maximises shareWeight · share + (1 - shareWeight)
-/// · mean quality. A share is known to about a hundredth, so pairs within 0.01 of the greatest value are equally good;
-/// among these the pair that looks through least is taken, C1 before C2: the least 0.8 · f(c1) + 0.2 · f(c2), where f =
-/// visibility - 0.1 · orientation. Then ties go to the greater value, then to the lowest indices.
+/// · mean quality - costOfPair(). Both are admitted, unless no such pair stands in either's region. A share is known to
+/// about a hundredth, so pairs within 0.01 of the greatest value are equally good; among these the pair that looks
+/// through least is taken, C1 before C2: the least 0.8 · f(c1) + 0.2 · f(c2), where f = visibility - 0.1 · orientation
+/// + 2 · cost. Then ties go to the greater value, then to the lowest indices.
 std::optional<Pair> jointSearch(const std::vector<Candidate>& candidates, std::size_t points, const Options& options);
 /// The best orthogonal pair of the six standard views by share, among candidates that hold them.
 std::optional<Pair> bestStandardPair(const std::vector<Candidate>& candidates, std::size_t points);

@@ -5,6 +5,7 @@
 #include <numbers>
 #include <numeric>
 #include <set>
+#include <tuple>
 
 #include "rendering/viewpoints/Sphere.h"
 
@@ -92,20 +93,27 @@ bool Refinement::descend(const std::optional<glm::dvec3>& c1) {
 }
 
 std::vector<int> Refinement::promising(int nside, const std::optional<glm::dvec3>& c1) const {
-  std::vector<std::pair<double, int>> promises;
+  const CutEndRule rule = ruleFor(c1);
+  std::vector<std::tuple<bool, double, int>> promises;  // admitted, how good
   for (const int parent : ranked(nside / 2, c1))
     for (int pixel = 4 * parent; pixel < 4 * parent + 4; ++pixel) {
       if (c1 && !mayHold({nside, pixel}, *c1)) continue;
       const double promise = promiseOf({nside, pixel}, c1);
+      // The pixel itself is not measured yet.
+      const bool isAdmitted = admits(rule, {nside / 2, parent});
       // Opposite views have the same outline in parallel projection: for C1 only the better side is followed.
       const Pixel opposite{nside, nestedPixel(nside, -nestedDirection(nside, pixel))};
-      if (!c1 && known_.contains({nside / 2, opposite.index / 4}) && promiseOf(opposite, c1) > promise) continue;
-      promises.emplace_back(promise, pixel);
+      const Pixel behind{nside / 2, opposite.index / 4};
+      if (!c1 && known_.contains(behind) && admits(rule, behind) >= isAdmitted && promiseOf(opposite, c1) > promise)
+        continue;
+      promises.emplace_back(isAdmitted, promise, pixel);
     }
-  std::stable_sort(promises.begin(), promises.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
+  std::stable_sort(promises.begin(), promises.end(), [](const auto& a, const auto& b) {
+    return std::tie(std::get<0>(a), std::get<1>(a)) > std::tie(std::get<0>(b), std::get<1>(b));
+  });
   promises.resize(std::min(promises.size(), promisingCount));
   std::vector<int> pixels;
-  for (const auto& [promise, pixel] : promises) pixels.push_back(pixel);
+  for (const auto& [isAdmitted, promise, pixel] : promises) pixels.push_back(pixel);
   return pixels;
 }
 
@@ -123,7 +131,7 @@ double Refinement::promiseOf(Pixel pixel, const std::optional<glm::dvec3>& c1) c
     const glm::dvec4 row(1.0, away);
     const double weight = std::exp(-glm::dot(away, away));
     normal += weight * glm::outerProduct(row, row);
-    right += weight * quality(known->second.descriptors, options_.weights) * row;
+    right += weight * worth(known->second.descriptors, options_) * row;
   }
   return (glm::inverse(normal) * right).x;
 }
@@ -161,9 +169,11 @@ std::vector<int> Refinement::ranked(int nside, const std::optional<glm::dvec3>& 
   const auto end = known_.lower_bound({nside + 1, 0});
   for (auto at = known_.lower_bound({nside, 0}); at != end; ++at)
     if (at->second.sums.count > 0.0 && (!c1 || mayHold(at->first, *c1))) pixels.push_back(at->first.index);
-  std::stable_sort(pixels.begin(), pixels.end(), [&](int a, int b) {
-    return qualityAt({nside, a}) > qualityAt({nside, b});
-  });
+  const CutEndRule rule = ruleFor(c1);
+  const auto order = [&](int pixel) {
+    return std::pair(admits(rule, {nside, pixel}), worth(known_.at({nside, pixel}).descriptors, options_));
+  };
+  std::stable_sort(pixels.begin(), pixels.end(), [&](int a, int b) { return order(a) > order(b); });
   return pixels;
 }
 
@@ -174,6 +184,17 @@ bool Refinement::mayHold(Pixel pixel, glm::dvec3 c1) const {
   return false;
 }
 
-double Refinement::qualityAt(Pixel pixel) const { return quality(known_.at(pixel).descriptors, options_.weights); }
+CutEndRule Refinement::ruleFor(const std::optional<glm::dvec3>& c1) const {
+  CutEndRule rule(options_.habits);
+  for (const auto& [pixel, candidate] : known_)
+    if (candidate.sums.count > 0.0 && (!c1 || inRegion(*c1, candidate.direction, options_)))
+      rule.add(candidate.descriptors.awkwardness, seenPoints(candidate));
+  return rule;
+}
+
+bool Refinement::admits(const CutEndRule& rule, Pixel pixel) const {
+  const Candidate& candidate = known_.at(pixel);
+  return rule.admits(candidate.descriptors.awkwardness, seenPoints(candidate));
+}
 
 }  // namespace fenestra::placement

@@ -12,7 +12,7 @@
 namespace fenestra::placement {
 
 /// Starts with all 12·start² pixels of the NESTED sphere (start = 2^k). On each finer level, down to 12·finest², it
-/// takes the children with the best predicted quality, then the neighbours of the best one: first for C1 on the whole
+/// takes the children of the greatest predicted worth, then the neighbours of the best one: first for C1 on the whole
 /// sphere and its opposite side, then for C2 in C1's region. wanted() tells what to measure next, so that the caller
 /// may pause in between. Deterministic. Ends at once when no coarse direction sees the focus.
 class Refinement {
@@ -57,7 +57,9 @@ class Refinement {
   /// Measured pixels of a level that see the focus and, for C2, overlap C1's region; best first.
   std::vector<int> ranked(int nside, const std::optional<glm::dvec3>& c1) const;
   bool mayHold(Pixel pixel, glm::dvec3 c1) const;
-  double qualityAt(Pixel pixel) const;
+  /// Which of the measured views may be chosen, for C2 those of C1's region.
+  CutEndRule ruleFor(const std::optional<glm::dvec3>& c1) const;
+  bool admits(const CutEndRule& rule, Pixel pixel) const;
 
   Options options_;
   std::size_t points_;

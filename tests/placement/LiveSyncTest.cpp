@@ -179,7 +179,9 @@ TEST(LiveSync, RatingsAreTheWeightedMeansOfWhatIsComputedAnew) {
   options.weights = {0.7, 0.4, 1.3, 0.9};
   options.reach = 9.0;
   const glm::dvec3 last = glm::normalize(glm::dvec3(1.0, -2.0, 0.5));
-  const RatedViews views = rateViews(scene, structure, pick, 2, options, {}, last);
+  Options usual;
+  usual.habits = noHabits;
+  const RatedViews views = rateViews(scene, structure, pick, 2, options, usual, last);
   ASSERT_EQ(views.directions.size(), 48u + 6u);
 
   // Two passes over all voxels, and the eigenvalues as roots of the characteristic polynomial.
@@ -294,6 +296,34 @@ TEST(LiveSync, HistoryDecidesBetweenEqualViews) {
   // Without one, ties go to the lowest index, so that results repeat.
   options.weights.shape = options.weights.visibility = 0.0;
   EXPECT_EQ(rateViews(scene, ball, glm::dvec3(15.0), 3, options, {}).c1, 0u);
+}
+
+TEST(LiveSync, HabitsKeepViewsOffCutEndsAndThinStacksInFront) {
+  // A ball in a column that the volume cuts off below: from below, least lies in front of it.
+  const Grid grid = gridOf(glm::ivec3(41));
+  const auto inBall = [](glm::ivec3 i) { return glm::length(glm::dvec3(i) - glm::dvec3(20, 20, 8)) < 3.0; };
+  const Scene column =
+      sceneOf(grid, 0.02, [](glm::ivec3 i) { return glm::length(glm::dvec2(i.x - 20, i.y - 20)) < 14.0 && i.z < 36; });
+  const glm::dvec3 pick(20.0, 20.0, 8.0);
+  LiveSyncOptions options;
+  options.weights = {.orientation = 0.0, .history = 0.0, .shape = 0.0, .visibility = 1.0};
+  Options usual;
+  const auto placed = [&](const Scene& scene, const Grid& on, const auto& isInside, glm::dvec3 at) {
+    const RatedViews views = rateViews(scene, structureOf(on, isInside), at, 3, options, usual);
+    return std::pair(views.directions[views.c1.value()], views.directions[views.c2.value()]);
+  };
+  const auto [up, across] = placed(column, grid, inBall, pick);
+  EXPECT_GT(up.z, -0.71);
+  EXPECT_GT(across.z, -0.71);
+  usual.habits.avoidCutEnds = false;
+  EXPECT_LT(placed(column, grid, inBall, pick).first.z, -0.71);
+  // In three axial slices, a plate along them is seen from below, whatever shows more.
+  const Grid flat = gridOf({41, 41, 3});
+  const Scene slices = sceneOf(flat, 1.0, [](glm::ivec3 i) { return i.z != 1; });
+  const auto inPlate = [](glm::ivec3 i) { return i.z == 1; };
+  EXPECT_LT(placed(slices, flat, inPlate, {20.0, 20.0, 1.0}).first.z, -0.9);
+  usual.habits.flatFromFront = false;
+  EXPECT_GT(placed(slices, flat, inPlate, {20.0, 20.0, 1.0}).first.z, -0.9);
 }
 
 TEST(LiveSync, NoStructureWithinReachHasNoCamera) {

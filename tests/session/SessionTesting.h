@@ -127,6 +127,7 @@ inline io::Session fullSession(const std::filesystem::path& folder) {
   session.placement = {.samples = 588,
                        .refined = true,
                        .weights = {0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, -0.8},
+                       .habits = placement::noHabits,
                        .inStream = true,
                        .streamHalfWidth = 22.5,
                        .shareWeight = 0.4,

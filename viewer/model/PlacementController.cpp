@@ -316,12 +316,14 @@ std::optional<PlacementController::LabelShare> PlacementController::share(std::u
 std::vector<std::size_t> PlacementController::best(std::size_t count) const {
   std::vector<std::size_t> kept;
   if (!measured()) return kept;
+  const placement::Options& options = settings_.options;
+  const std::vector<bool> admitted = placement::admitted(measured_.candidates, options);
   std::vector<std::size_t> order;
   for (std::size_t i = 0; i < measured_.spread; ++i)
-    if (measured_.candidates[i].sums.count > 0.0) order.push_back(i);
-  std::stable_sort(order.begin(), order.end(), [this](std::size_t a, std::size_t b) {
-    return placement::quality(measured_.candidates[a].descriptors, settings_.options.weights) >
-           placement::quality(measured_.candidates[b].descriptors, settings_.options.weights);
+    if (admitted[i]) order.push_back(i);
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    return placement::worth(measured_.candidates[a].descriptors, options) >
+           placement::worth(measured_.candidates[b].descriptors, options);
   });
   const double nearestCosine = std::cos(glm::radians(apart));
   for (const std::size_t candidate : order) {

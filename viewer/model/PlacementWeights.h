@@ -1,5 +1,6 @@
 #pragma once
-// The weights that the user may set of what a candidate for a camera is judged by: how they are stored and shown.
+// What the user may set of how a candidate for a camera is judged, its weights and habits: how they are stored and
+// shown.
 
 #include <array>
 
@@ -58,6 +59,30 @@ inline constexpr std::array<PlacementWeight, 8> placementWeights{{
                        "How near the view is to anterior, left, superior …: a little decides between equally good "
                        "views.\nCosine of the angle to the nearest of the six"),
      0.0, 2.0, 0.01, &placement::Weights::orientation},
+}};
+
+struct PlacementHabit {
+  const char* key;             ///< in the file of settings
+  const char *name, *meaning;  ///< label and tool tip of its box, to be translated for "PlacementForm"
+  bool placement::Habits::*member;
+};
+
+inline constexpr std::array<PlacementHabit, 3> placementHabits{{
+    {"avoidCutEnds", QT_TRANSLATE_NOOP("PlacementForm", "Not through cut ends"),
+     QT_TRANSLATE_NOOP("PlacementForm",
+                       "No view within 45° of an end of the scan where the body goes on, while another one shows at "
+                       "least two thirds as much of the focus"),
+     &placement::Habits::avoidCutEnds},
+    {"uprightFirst", QT_TRANSLATE_NOOP("PlacementForm", "From around before from above"),
+     QT_TRANSLATE_NOOP("PlacementForm",
+                       "From the front, from behind, the left or the right rather than from above or below, where "
+                       "both show about as much"),
+     &placement::Habits::uprightFirst},
+    {"flatFromFront", QT_TRANSLATE_NOOP("PlacementForm", "Thin stacks from the front"),
+     QT_TRANSLATE_NOOP("PlacementForm",
+                       "A stack of a few slices, or one much thinner than wide, is seen from the side from which its "
+                       "slices are shown, not edge-on"),
+     &placement::Habits::flatFromFront},
 }};
 
 }  // namespace fenestra::viewer

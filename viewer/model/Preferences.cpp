@@ -222,8 +222,11 @@ PlacementSettings Preferences::placement() const {
   for (const NamedPickWeight& named : namedPickWeights)
     read(named.name, placement.liveSync.weights.*named.member, 0.0, mostWeight);
   read("pickReach", placement.liveSync.reach, 1.0, 1000.0);
-  for (const NamedSwitch& named : namedSwitches)
-    if (const QVariant value = stored(named.name); value.isValid()) placement.*named.member = value.toBool();
+  const auto readSwitch = [&](const char* name, bool& on) {
+    if (const QVariant value = stored(name); value.isValid()) on = value.toBool();
+  };
+  for (const PlacementHabit& habit : placementHabits) readSwitch(habit.key, placement.options.habits.*habit.member);
+  for (const NamedSwitch& named : namedSwitches) readSwitch(named.name, placement.*named.member);
   return placement;
 }
 
@@ -241,6 +244,7 @@ void Preferences::setPlacement(const PlacementSettings& placement) {
   for (const PlacementWeight& weight : placementWeights) keep(weight.key, options.weights.*weight.member);
   for (const NamedPickWeight& named : namedPickWeights) keep(named.name, placement.liveSync.weights.*named.member);
   keep("pickReach", placement.liveSync.reach);
+  for (const PlacementHabit& habit : placementHabits) keep(habit.key, options.habits.*habit.member);
   for (const NamedSwitch& named : namedSwitches) keep(named.name, placement.*named.member);
 }
 

@@ -28,6 +28,7 @@ io::SessionPlacement sessionFrom(const PlacementSettings& settings) {
   return {.samples = settings.sampling.count,
           .refined = settings.sampling.refined,
           .weights = settings.options.weights,
+          .habits = settings.options.habits,
           .inStream = settings.options.region == placement::Region::Stream,
           .streamHalfWidth = settings.options.streamHalfWidth,
           .shareWeight = settings.options.shareWeight,
@@ -42,6 +43,7 @@ PlacementSettings settingsFrom(const io::SessionPlacement& saved, PlacementSetti
   settings.sampling.count = saved.samples;
   settings.sampling.refined = saved.refined;
   settings.options.weights = saved.weights;
+  settings.options.habits = saved.habits;
   settings.options.region = saved.inStream ? placement::Region::Stream : placement::Region::SemiSphere;
   settings.options.streamHalfWidth = saved.streamHalfWidth;
   settings.options.shareWeight = saved.shareWeight;

@@ -100,7 +100,19 @@ void PlacementForm::makeRows() {
   form->addRow(tr("Off right angle"), streamHalfWidth_);
   form->addRow(joint_);
   form->addRow(tr("Surface seen"), shareWeight_);
+  addHabits(*form);
   addWeights(*form);
+}
+
+void PlacementForm::addHabits(QFormLayout& form) {
+  for (std::size_t i = 0; i < placementHabits.size(); ++i) {
+    habits_[i] = new QCheckBox(tr(placementHabits[i].name));
+    habits_[i]->setToolTip(tr(placementHabits[i].meaning));
+    form.addRow(habits_[i]);
+    connect(habits_[i], &QCheckBox::clicked, this, [this, member = placementHabits[i].member](bool on) {
+      edit([=](PlacementSettings& settings) { settings.options.habits.*member = on; });
+    });
+  }
 }
 
 void PlacementForm::addWeights(QFormLayout& form) {
@@ -204,6 +216,8 @@ void PlacementForm::show() {
     pickWeights_[i]->setValue(settings.liveSync.weights.*pickWeights[i].member);
   reach_->setValue(settings.liveSync.reach);
   automatic_->setChecked(settings.automatic);
+  for (std::size_t i = 0; i < placementHabits.size(); ++i)
+    habits_[i]->setChecked(settings.options.habits.*placementHabits[i].member);
   for (std::size_t i = 0; i < placementWeights.size(); ++i)
     weights_[i]->setValue(settings.options.weights.*placementWeights[i].member);
 }

@@ -31,6 +31,8 @@ class PlacementForm : public QWidget {
   QCheckBox* follow() const { return follow_; }
   /// Depth, size, centring, cut ends; then the further ones.
   SliderSpin* weight(std::size_t which) const { return weights_.at(which); }
+  /// As placementHabits lists them.
+  QCheckBox* habit(std::size_t which) const { return habits_.at(which); }
 
  Q_SIGNALS:
   /// The user changed a setting; `change` applies the same change to other settings.
@@ -40,6 +42,7 @@ class PlacementForm : public QWidget {
   void makeChoices();
   void makeRows();
   void addWeights(QFormLayout& form);
+  void addHabits(QFormLayout& form);
   QWidget* makePickRows();
   void connectChoices();
   void edit(const std::function<void(PlacementSettings&)>& change);
@@ -53,6 +56,7 @@ class PlacementForm : public QWidget {
   SliderSpin* reach_;
   SliderSpin *streamHalfWidth_, *shareWeight_;
   std::array<SliderSpin*, placementWeights.size()> weights_{};
+  std::array<QCheckBox*, placementHabits.size()> habits_{};
 };
 
 }  // namespace fenestra::viewer

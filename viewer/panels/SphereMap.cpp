@@ -91,7 +91,7 @@ void SphereMap::colour() {
   if (!measured) return;
   std::vector<double> qualities;
   for (std::size_t i = 0; i < measured->spread; ++i)
-    qualities.push_back(placement::quality(measured->candidates[i].descriptors, placement_.settings().options.weights));
+    qualities.push_back(placement::worth(measured->candidates[i].descriptors, placement_.settings().options));
   const auto [least, greatest] = std::minmax_element(qualities.begin(), qualities.end());
   const double span = std::max(*greatest - *least, 1e-12);
   picture_ = QImage(mapSize, QImage::Format_RGB32);

@@ -1,0 +1,155 @@
+#include "rendering/viewpoints/ScanShape.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace fenestra::placement {
+namespace {
+
+constexpr int mostSamples = 32;        ///< along an axis
+constexpr double solidValue = -500.0;  ///< HU
+constexpr double flatShare = 0.125, solidShare = 1.0 / 3.0;
+constexpr double fewSlices = 3.0, manySlices = 6.0;
+/// A stack of few slices has at least this many times as many rows and columns: a small cube is none.
+constexpr int leastAcross = 4;
+
+double ramp(double value, double from, double to) { return std::clamp((value - from) / (to - from), 0.0, 1.0); }
+
+/// Which voxels are of the body.
+class Body {
+ public:
+  Body(const ShownVolume& shown, const std::vector<HalfSpace>& kept)
+      : shown_(shown), kept_(kept), worldFromIndex_(shown.volume->grid.worldFromIndex()) {
+    const Grid& grid = shown.volume->grid;
+    for (int axis = 0; axis < 3; ++axis) {
+      const int count = std::min(grid.dims[axis], mostSamples);
+      for (int i = 0; i < count; ++i) places_[axis].push_back(count == 1 ? 0 : i * (grid.dims[axis] - 1) / (count - 1));
+    }
+    threshold_ = solidValue;
+    if (shown.volume->isInHounsfieldUnits()) return;
+    std::vector<double> values;
+    withValues(shown_, [&](const auto& valueAt) {
+      forEachSample([&](glm::ivec3, glm::ivec3 voxel) { values.push_back(valueAt(voxel)); });
+    });
+    const auto percentile = [&](std::size_t hundredths) {
+      const auto at = values.begin() + static_cast<std::ptrdiff_t>((values.size() - 1) * hundredths / 100);
+      std::nth_element(values.begin(), at, values.end());
+      return *at;
+    };
+    const double low = percentile(2), high = percentile(98);
+    threshold_ = low + 0.1 * (high - low);
+  }
+
+  /// Calls use(contains), with contains(voxel).
+  template <class F>
+  void read(const F& use) const {
+    withValues(shown_, [&](const auto& valueAt) {
+      use([&](glm::ivec3 voxel) {
+        return valueAt(voxel) > threshold_ &&
+               (kept_.empty() || keeps(kept_, glm::dvec3(worldFromIndex_ * glm::dvec4(voxel, 1.0))));
+      });
+    });
+  }
+  /// How many samples of each layer across an index axis are of the body; the first and last layer are faces.
+  std::array<std::vector<int>, 3> layers() const {
+    std::array<std::vector<int>, 3> areas;
+    for (std::size_t axis = 0; axis < 3; ++axis) areas[axis].assign(places_[axis].size(), 0);
+    read([&](const auto& contains) {
+      forEachSample([&](glm::ivec3 place, glm::ivec3 voxel) {
+        if (!contains(voxel)) return;
+        for (int axis = 0; axis < 3; ++axis)
+          ++areas[static_cast<std::size_t>(axis)][static_cast<std::size_t>(place[axis])];
+      });
+    });
+    return areas;
+  }
+
+ private:
+  /// Voxels spread evenly over the volume, those of its faces among them: visit(place among the samples, voxel).
+  template <class F>
+  void forEachSample(const F& visit) const {
+    for (std::size_t z = 0; z < places_[2].size(); ++z)
+      for (std::size_t y = 0; y < places_[1].size(); ++y)
+        for (std::size_t x = 0; x < places_[0].size(); ++x)
+          visit(glm::ivec3(x, y, z), glm::ivec3(places_[0][x], places_[1][y], places_[2][z]));
+  }
+
+  const ShownVolume& shown_;
+  const std::vector<HalfSpace>& kept_;
+  glm::dmat4 worldFromIndex_;
+  std::array<std::vector<int>, 3> places_;  ///< indices of the samples along each axis
+  double threshold_ = 0.0;
+};
+
+void findCuts(ScanShape& shape, const Grid& grid, const CropFrame& frame, const Body& body,
+              std::span<const glm::dvec3> focus) {
+  const auto layers = body.layers();
+  double least = 1.0;
+  for (std::size_t f = 0; f < shape.faces.size(); ++f) {
+    ScanShape::Face& face = shape.faces[f];
+    const std::size_t patient = f % 3;
+    face.normal = (f < 3 ? 1.0 : -1.0) * frame.normal[patient];
+    const int axis = frame.axis[static_cast<int>(patient)];
+    const bool isLast = glm::dot(grid.direction[axis], face.normal) > 0.0;
+    const std::vector<int>& areas = layers[static_cast<std::size_t>(axis)];
+    face.contact = (isLast ? areas.back() : areas.front()) /
+                   static_cast<double>(std::max(1, *std::max_element(areas.begin(), areas.end())));
+    std::size_t behind = 0;
+    body.read([&](const auto& contains) {
+      for (const glm::dvec3 point : focus) {
+        glm::ivec3 voxel = glm::clamp(glm::ivec3(glm::round(point)), glm::ivec3(0), grid.dims - 1);
+        voxel[axis] = isLast ? grid.dims[axis] - 1 : 0;
+        behind += contains(voxel);
+      }
+    });
+    face.behind = focus.empty() ? 0.0 : static_cast<double>(behind) / static_cast<double>(focus.size());
+    face.cut = std::max(ramp(face.contact, 0.2, 0.4), face.behind * ramp(face.contact, 0.05, 0.15));
+    least = std::min(least, face.cut);
+  }
+  for (ScanShape::Face& face : shape.faces) face.cut -= least;
+}
+
+void findFront(ScanShape& shape, const Grid& grid, const CropFrame& frame) {
+  const glm::dvec3 extent = frame.high - frame.low;
+  const glm::ivec3 counts(grid.dims[frame.axis[0]], grid.dims[frame.axis[1]], grid.dims[frame.axis[2]]);
+  for (int axis = 0; axis < 3; ++axis) {
+    const int second = (axis + 1) % 3, third = (axis + 2) % 3;
+    const double share = extent[axis] / std::min(extent[second], extent[third]);
+    double thinness = 1.0 - ramp(share, flatShare, solidShare);
+    if (leastAcross * counts[axis] <= std::min(counts[second], counts[third]))
+      thinness = std::max(thinness, 1.0 - ramp(counts[axis], fewSlices, manySlices));
+    if (thinness * thinness <= shape.flatness) continue;
+    shape.flatness = thinness * thinness;
+    // The faces towards L, A and I.
+    shape.front = shape.faces[axis == 0 ? 0 : static_cast<std::size_t>(axis) + 3].normal;
+  }
+}
+
+}  // namespace
+
+double ScanShape::throughCutEnd(glm::dvec3 direction) const {
+  double sum = 0.0;
+  for (const Face& face : faces) {
+    const double cosine = std::max(0.0, glm::dot(direction, face.normal));
+    const bool isOfStack = face.normal == front || face.normal == -front;
+    sum += face.cut * (isOfStack ? 1.0 - flatness : 1.0) * cosine * cosine;
+  }
+  return std::min(sum, 1.0);
+}
+
+double ScanShape::edgeOn(glm::dvec3 direction) const {
+  const double cosine = std::max(0.0, glm::dot(direction, front));
+  return flatness * std::max(0.0, 1.0 - cosine * cosine);
+}
+
+ScanShape scanShape(const ShownVolume& shown, const std::vector<HalfSpace>& kept, std::span<const glm::dvec3> focus) {
+  ScanShape shape;
+  const Grid& grid = shown.volume->grid;
+  const CropFrame frame(grid);
+  findCuts(shape, grid, frame, Body(shown, kept), focus);
+  findFront(shape, grid, frame);
+  return shape;
+}
+
+}  // namespace fenestra::placement
