@@ -29,6 +29,7 @@ struct GrowthCurve {
   std::vector<double> compactness;  ///< (36 π V²)^⅓ / area: the surface of the ball of that volume over the region's
   std::vector<Plateau> plateaus;    ///< ascending
   int automatic = 0;                ///< the step to begin with
+  double clarity = 0.0;
 };
 
 /// `joins` and `costs` hold a box of `dims`: the level at which a voxel joins (or `never`), and its own cost.

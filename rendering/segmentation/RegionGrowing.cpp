@@ -73,11 +73,47 @@ std::shared_ptr<LabelMap> emptySteps(const Grid& grid) {
 
 class Grower {
  public:
-  Grower(const Volume& volume, const VoxelBox& box, const Progress& progress)
-      : volume_(volume), box_(box), progress_(progress), side_(voxelSide(volume.grid)), thin_(thinPathLevels()) {}
+  Grower(const Volume& volume, const VoxelBox& box, const RegionFocus& settings, const Progress& progress)
+      : volume_(volume), box_(box), progress_(progress), side_(voxelSide(volume.grid)), thin_(thinPathLevels()) {
+    if (settings.ball > 0.0) ball_ = {settings.inside.front(), settings.ball};
+  }
 
+  /// By values alone.
   std::optional<Growth> run(const RegionFocus& settings) {
+    std::optional<std::vector<Level>> joins = floodedJoins(seedsIn(settings.inside), seedsIn(settings.outside));
+    if (!joins) return std::nullopt;
+    return growthOf(*joins, curveOf(*joins), nullptr);
+  }
+
+  /// By values or by tissues of the whole volume, whichever is clearer, without what is nearer to a seed outside.
+  std::optional<Growth> run(const RegionFocus& settings, std::shared_ptr<const TissueTree> tissues) {
     const std::vector<glm::ivec3> inside = seedsIn(settings.inside), outside = seedsIn(settings.outside);
+    std::optional<std::vector<Level>> joins = floodedJoins(inside, {});
+    if (!joins) return std::nullopt;
+    GrowthCurve curve = curveOf(*joins);
+    std::vector<Level> byTissues = tissues->joinsOf(volume_, inside);
+    keepToBall(byTissues);
+    if (!goOn(0.9)) return std::nullopt;
+    if (GrowthCurve other = curveOf(byTissues); other.clarity > curve.clarity) {
+      curve = std::move(other);
+      joins = std::move(byTissues);
+    }
+    if (!outside.empty()) {
+      const std::vector<std::uint8_t> lost = tissues->nearerToOutside(volume_, inside, outside);
+      for (std::size_t i = 0; i < lost.size(); ++i)
+        if (lost[i]) (*joins)[i] = never;
+      // The tolerance stays: what is taken away is all that changes.
+      const int automatic = curve.automatic;
+      curve = curveOf(*joins);
+      curve.automatic = automatic;
+    }
+    return growthOf(*joins, std::move(curve), std::move(tissues));
+  }
+
+ private:
+  /// By values; empty when cancelled.
+  std::optional<std::vector<Level>> floodedJoins(const std::vector<glm::ivec3>& inside,
+                                                 const std::vector<glm::ivec3>& outside) {
     assert(!inside.empty());
     noise_ = noiseOf(volume_);
     scale_.emplace(volume_, noise_, volume_.value(inside.front()));
@@ -89,19 +125,41 @@ class Grower {
     if (!goOn(0.5)) return std::nullopt;
     std::optional<Flooded> flooded = floodBox();
     if (!flooded) return std::nullopt;
-    const std::vector<Level> joins = putBallsBack(*flooded);
-    flooded.reset();
-    if (!goOn(0.9)) return std::nullopt;
+    std::vector<Level> joins = putBallsBack(*flooded);
+    keepToBall(joins);
+    if (!goOn(0.8)) return std::nullopt;
+    return joins;
+  }
+
+  /// Nothing joins outside the ball around the first seed, where there is one.
+  void keepToBall(std::vector<Level>& joins) const {
+    if (!ball_) return;
+    const glm::dvec3 centre = ball_->centre;
+    const double square = ball_->radius * ball_->radius;
+    forRows([&](int y, int z, std::size_t begin) {
+      for (int x = 0; x < box_.dims().x; ++x) {
+        const glm::dvec3 index(box_.low + glm::ivec3(x, y, z));
+        const glm::dvec3 away = glm::dvec3(volume_.grid.worldFromIndex() * glm::dvec4(index, 1.0)) - centre;
+        if (glm::dot(away, away) > square) joins[begin + static_cast<std::size_t>(x)] = never;
+      }
+    });
+  }
+
+  GrowthCurve curveOf(const std::vector<Level>& joins) const {
+    return growthCurve(joins, kinds_[0].costs, volume_.grid, box_.dims(), noise_.share());
+  }
+
+  Growth growthOf(const std::vector<Level>& joins, GrowthCurve curve, std::shared_ptr<const TissueTree> tissues) const {
     Growth growth;
     growth.box = box_;
     growth.noise = noise_.unit;
-    growth.curve = growthCurve(joins, kinds_[0].costs, volume_.grid, box_.dims(), noise_.share());
+    growth.curve = std::move(curve);
+    growth.tissues = std::move(tissues);
     growth.steps = stepsOf(joins);
     goOn(1.0);
     return growth;
   }
 
- private:
   bool goOn(double fraction) const { return !progress_ || progress_(fraction); }
 
   std::vector<glm::ivec3> seedsIn(const std::vector<glm::dvec3>& seeds) const {
@@ -233,6 +291,11 @@ class Grower {
   Noise noise_;
   std::optional<ToneScale> scale_;
   std::array<Kind, 2> kinds_;  ///< inside, outside
+  struct Ball {
+    glm::dvec3 centre;  ///< world mm
+    double radius;      ///< mm
+  };
+  std::optional<Ball> ball_;
 };
 
 /// The growth of a region that is only painted.
@@ -284,15 +347,17 @@ bool canGrow(const Volume& volume, const RegionFocus& region) {
 }
 
 bool haveSameSeeds(const RegionFocus& a, const RegionFocus& b) {
-  return a.inside == b.inside && a.outside == b.outside && a.painted == b.painted;
+  return a.inside == b.inside && a.outside == b.outside && a.painted == b.painted && a.rule == b.rule &&
+         a.ball == b.ball;
 }
 
 std::optional<Growth> paintedOn(const Growth& growth, const RegionFocus& grownFrom, const RegionFocus& wanted,
                                 const Volume& volume) {
   const std::vector<SelectionStroke>&first = grownFrom.painted, &all = wanted.painted;
-  const bool continues = grownFrom.inside == wanted.inside && grownFrom.outside == wanted.outside &&
-                         first.size() <= all.size() && std::equal(first.begin(), first.end(), all.begin());
-  if (!continues) return std::nullopt;
+  RegionFocus begun = wanted;
+  if (first.size() > all.size()) return std::nullopt;
+  begun.painted.resize(first.size());
+  if (!haveSameSeeds(grownFrom, begun)) return std::nullopt;
   Growth painted = growth;
   paintOver(painted, volume, std::span(all).subspan(first.size()));
   return painted;
@@ -317,14 +382,26 @@ VoxelBox previewBox(const Volume& volume, const RegionFocus& settings) {
 }
 
 std::optional<Growth> growRegion(const Volume& volume, const RegionFocus& settings, const VoxelBox& reach,
-                                 const Progress& progress) {
-  const VoxelBox box = reach.clippedTo(wholeOf(volume.grid.dims));
+                                 const Progress& progress, std::shared_ptr<const TissueTree> tissues) {
+  const VoxelBox whole = wholeOf(volume.grid.dims), box = reach.clippedTo(whole);
   const bool grows = std::any_of(settings.inside.begin(), settings.inside.end(), [&](glm::dvec3 seed) {
     const auto voxel = voxelAt(volume.grid, seed);
     return voxel && box.contains(*voxel);
   });
   assert(grows || !settings.painted.empty());
-  std::optional<Growth> growth = grows ? Grower(volume, box, progress).run(settings) : nothingGrown(volume);
+  std::optional<Growth> growth;
+  if (!grows) {
+    growth = nothingGrown(volume);
+  } else if (settings.rule == RegionRule::Tissues && box == whole) {
+    constexpr double treeShare = 0.5;  // of the progress
+    const auto within = [&](double begin, double end) -> Progress {
+      return [&progress, begin, end](double share) { return !progress || progress(std::lerp(begin, end, share)); };
+    };
+    if (!tissues) tissues = TissueTree::build(volume, within(0.0, treeShare));
+    if (tissues) growth = Grower(volume, box, settings, within(treeShare, 1.0)).run(settings, tissues);
+  } else {
+    growth = Grower(volume, box, settings, progress).run(settings);
+  }
   if (growth && !settings.painted.empty()) paintOver(*growth, volume, settings.painted);
   return growth;
 }
