@@ -20,7 +20,10 @@ namespace {
 constexpr double passRadius = 1.5;    // voxel sides: leaks narrower than this ball are closed
 constexpr double thinPathCost = 3.0;  // noise units, on top, for paths narrower than the ball
 constexpr double regrowth = 1.0;      // voxel sides, beyond the ball that closes leaks: brings corners back
-constexpr double seedRadius = 1.0;    // voxel sides: the ball whose median is the seed's value
+/// Of the clarity: a region by tissues must be clearer than one by values by this much. Chosen with the clarity's
+/// weights.
+constexpr double tissuesHandicap = 0.25;
+constexpr double seedRadius = 1.0;  // voxel sides: the ball whose median is the seed's value
 
 /// The levels of costs raised by thinPathCost.
 std::array<Level, 256> thinPathLevels() {
@@ -94,9 +97,15 @@ class Grower {
     std::vector<Level> byTissues = tissues->joinsOf(volume_, inside);
     keepToBall(byTissues);
     if (!goOn(0.9)) return std::nullopt;
-    if (GrowthCurve other = curveOf(byTissues); other.clarity > curve.clarity) {
+    GrowthCurve other = curveOf(byTissues);
+    const StructureSizes sizes = structureSizes(tissues->bodyVolume(), isGasAt(inside.front()));
+    const auto byValue = clearestStep(curve, sizes, volume_.grid), byTissue = clearestStep(other, sizes, volume_.grid);
+    if (byTissue && (!byValue || byTissue->clarity > byValue->clarity + tissuesHandicap)) {
       curve = std::move(other);
       joins = std::move(byTissues);
+      beginWith(curve, byTissue->step);
+    } else if (byValue) {
+      beginWith(curve, byValue->step);
     }
     if (!outside.empty()) {
       const std::vector<std::uint8_t> lost = tissues->nearerToOutside(volume_, inside, outside);
@@ -143,6 +152,11 @@ class Grower {
         if (glm::dot(away, away) > square) joins[begin + static_cast<std::size_t>(x)] = never;
       }
     });
+  }
+
+  bool isGasAt(glm::ivec3 seed) const {
+    constexpr double gas = -400.0;  // HU
+    return volume_.isInHounsfieldUnits() && volume_.value(seed) < gas;
   }
 
   GrowthCurve curveOf(const std::vector<Level>& joins) const {
