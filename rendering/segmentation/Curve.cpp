@@ -34,6 +34,7 @@ constexpr double compactnessWeight = 0.9;
 constexpr double stayWeight = 0.5;   ///< for each octave of tolerance
 constexpr double longestStay = 2.0;  ///< octaves: more is no better
 constexpr double sizeWeight = 1.8;
+constexpr double excessWeight = 0.5;
 constexpr double usualStructure = 2e-4;  ///< of the body's volume
 constexpr double mostStructure = 0.15, mostGas = 0.6;
 
@@ -200,7 +201,7 @@ GrowthCurve growthCurve(std::span<const Level> joins, std::span<const Level> cos
 }
 
 StructureSizes structureSizes(double body, bool isGas) {
-  return {usualStructure * body, (isGas ? mostGas : mostStructure) * body};
+  return {.usual = usualStructure * body, .most = (isGas ? mostGas : mostStructure) * body};
 }
 
 std::optional<ClearestStep> clearestStep(const GrowthCurve& curve, const StructureSizes& sizes, const Grid& grid) {
@@ -214,7 +215,8 @@ std::optional<ClearestStep> clearestStep(const GrowthCurve& curve, const Structu
     const double octaves = std::min(longestStay, static_cast<double>(changes - step) / levelsPerOctave);
     const double clarity = sharpnessWeight * std::log(curve.contrast[step]) +
                            compactnessWeight * std::log(std::min(1.0, curve.compactness[step])) + stayWeight * octaves +
-                           sizeWeight * std::min(0.0, std::log(volume / sizes.usual));
+                           sizeWeight * std::min(0.0, std::log(volume / sizes.usual)) -
+                           excessWeight * std::max(0.0, std::log(volume / sizes.expected));
     if (!clearest || clarity >= clearest->clarity) clearest = {static_cast<int>(step), clarity};
   }
   return clearest;

@@ -1,6 +1,7 @@
 #pragma once
 // How a grown region changes with its tolerance: plateaus, cliffs, and which tolerance to begin with.
 
+#include <limits>
 #include <optional>
 #include <span>
 #include <vector>
@@ -41,6 +42,7 @@ GrowthCurve growthCurve(std::span<const Level> joins, std::span<const Level> cos
 struct StructureSizes {
   double usual = 0.0;  ///< what is smaller is less likely to be meant, the more the smaller it is
   double most = 0.0;   ///< what is larger is no structure
+  double expected = std::numeric_limits<double>::infinity();  ///< what is larger is less likely to be meant
 };
 /// `body`: volume in mm³. Gas is the body's own: lungs may take up most of what a scan of the chest shows.
 StructureSizes structureSizes(double body, bool isGas);

@@ -23,6 +23,8 @@ constexpr double regrowth = 1.0;      // voxel sides, beyond the ball that close
 /// Of the clarity: a region by tissues must be clearer than one by values by this much. Chosen with the clarity's
 /// weights.
 constexpr double tissuesHandicap = 0.25;
+/// Of the region before: a further seed adds no more. A part that was missed is seldom larger, a leak is.
+constexpr double mostAdded = 4.0;
 constexpr double seedRadius = 1.0;  // voxel sides: the ball whose median is the seed's value
 
 /// The levels of costs raised by thinPathCost.
@@ -88,13 +90,15 @@ class Grower {
     return growthOf(*joins, curveOf(*joins), nullptr);
   }
 
-  /// By values or by tissues of the whole volume, whichever is clearer, without what is nearer to a seed outside.
+  /// From the first seed by values or by tissues of the whole volume, whichever is clearer; what the further seeds mean
+  /// is added, and what the seeds outside mean is taken away.
   std::optional<Growth> run(const RegionFocus& settings, std::shared_ptr<const TissueTree> tissues) {
     const std::vector<glm::ivec3> inside = seedsIn(settings.inside), outside = seedsIn(settings.outside);
-    std::optional<std::vector<Level>> joins = floodedJoins(inside, {});
+    const std::span<const glm::ivec3> first = std::span(inside).first(1);
+    std::optional<std::vector<Level>> joins = floodedJoins({inside.front()}, {});
     if (!joins) return std::nullopt;
     GrowthCurve curve = curveOf(*joins);
-    std::vector<Level> byTissues = tissues->joinsOf(volume_, inside);
+    std::vector<Level> byTissues = tissues->joinsOf(volume_, first);
     keepToBall(byTissues);
     if (!goOn(0.9)) return std::nullopt;
     GrowthCurve other = curveOf(byTissues);
@@ -107,14 +111,16 @@ class Grower {
     } else if (byValue) {
       beginWith(curve, byValue->step);
     }
-    if (!outside.empty()) {
-      const std::vector<std::uint8_t> lost = tissues->nearerToOutside(volume_, inside, outside);
-      for (std::size_t i = 0; i < lost.size(); ++i)
-        if (lost[i]) (*joins)[i] = never;
-      // The tolerance stays: what is taken away is all that changes.
-      const int automatic = curve.automatic;
+    const int automatic = curve.automatic;
+    StructureSizes added = sizes;
+    added.expected = curve.volume[static_cast<std::size_t>(automatic)];
+    added.most = std::min(sizes.most, mostAdded * added.expected);
+    for (const glm::ivec3& seed : std::span(inside).subspan(1)) addTissueAt(seed, *tissues, added, automatic, *joins);
+    if (!outside.empty()) takeAway(tissues->takenBy(volume_, inside, outside), *joins);
+    if (inside.size() > 1 || !outside.empty()) {
+      // The tolerance stays: what is added and taken away is all that changes.
       curve = curveOf(*joins);
-      curve.automatic = automatic;
+      beginWith(curve, automatic);
     }
     return growthOf(*joins, std::move(curve), std::move(tissues));
   }
@@ -152,6 +158,26 @@ class Grower {
         if (glm::dot(away, away) > square) joins[begin + static_cast<std::size_t>(x)] = never;
       }
     });
+  }
+
+  /// The clearest tissue at a further seed joins at the step `automatic`, with its own larger and smaller ones around
+  /// it.
+  void addTissueAt(const glm::ivec3& seed, const TissueTree& tissues, const StructureSizes& sizes, int automatic,
+                   std::vector<Level>& joins) const {
+    const std::size_t at = wholeOf(volume_.grid.dims).offset(seed);
+    if (joins[at] < automatic) return;
+    std::vector<Level> own = tissues.joinsOf(volume_, std::span(&seed, 1));
+    keepToBall(own);
+    const auto clearest = clearestStep(curveOf(own), sizes, volume_.grid);
+    const int shift = automatic - (clearest ? clearest->step : 1);
+    for (std::size_t i = 0; i < joins.size(); ++i)
+      if (own[i] != never)
+        joins[i] = std::min(joins[i], static_cast<Level>(std::clamp(own[i] + shift, 0, levelCount - 1)));
+  }
+
+  static void takeAway(const std::vector<std::uint8_t>& taken, std::vector<Level>& joins) {
+    for (std::size_t i = 0; i < joins.size(); ++i)
+      if (taken[i]) joins[i] = never;
   }
 
   bool isGasAt(glm::ivec3 seed) const {

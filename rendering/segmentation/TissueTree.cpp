@@ -66,14 +66,18 @@ std::span<const TissueTree::Neighbour> TissueTree::neighboursOf(std::uint32_t le
   return std::span(neighbours_).subspan(firstNeighbour_[leaf], firstNeighbour_[leaf + 1] - firstNeighbour_[leaf]);
 }
 
+std::vector<std::uint8_t> TissueTree::holding(std::span<const glm::ivec3> seeds) const {
+  std::vector<std::uint8_t> holds(parents_.size(), 0);
+  for (const glm::ivec3 seed : seeds)
+    for (std::uint32_t node = leafAt(seed); node != none && !holds[node]; node = parents_[node]) holds[node] = 1;
+  return holds;
+}
+
 std::vector<Level> TissueTree::leafJoins(std::span<const glm::ivec3> inside) const {
-  std::vector<std::uint8_t> holdsSeed(parents_.size(), 0);
-  for (const glm::ivec3 seed : inside)
-    for (std::uint32_t node = leafAt(seed); node != none && !holdsSeed[node]; node = parents_[node])
-      holdsSeed[node] = 1;
+  const std::vector<std::uint8_t> holds = holding(inside);
   std::vector<Level> joins(parents_.size(), never);
   for (std::size_t node = parents_.size(); node-- > 0;) {
-    if (holdsSeed[node])
+    if (holds[node])
       joins[node] = levelOf(heights_[node]);
     else if (parents_[node] != none)
       joins[node] = joins[parents_[node]];
@@ -207,29 +211,38 @@ std::vector<Level> TissueTree::joinsOf(const Volume& volume, std::span<const glm
   return joins;
 }
 
-std::vector<std::uint8_t> TissueTree::nearerToOutside(const Volume& volume, std::span<const glm::ivec3> inside,
-                                                      std::span<const glm::ivec3> outside) const {
-  const std::vector<float> in = distancesFrom(inside), out = distancesFrom(outside);
+std::vector<std::uint8_t> TissueTree::takenBy(const Volume& volume, std::span<const glm::ivec3> inside,
+                                              std::span<const glm::ivec3> outside) const {
+  enum Side : std::uint8_t { Kept, Taken, Shared };
+  const std::vector<std::uint8_t> in = holding(inside), out = holding(outside);
+  std::vector<std::uint8_t> sides(parents_.size(), Kept);
+  for (std::size_t node = parents_.size(); node-- > 0;) {
+    const bool isTakenWhole = parents_[node] != none && sides[parents_[node]] == Taken;
+    if (isTakenWhole || (out[node] && !in[node]))
+      sides[node] = Taken;
+    else if (out[node])
+      sides[node] = Shared;
+  }
+  const std::vector<float> toInside = distancesFrom(inside), toOutside = distancesFrom(outside);
+  for (std::size_t leaf = 0; leaf < means_.size(); ++leaf)
+    if (sides[leaf] == Taken && toInside[leaf] <= toOutside[leaf]) sides[leaf] = Kept;
   const auto squareTo = [&](glm::ivec3 voxel, std::span<const glm::ivec3> seeds) {
     double least = std::numeric_limits<double>::infinity();
     for (const glm::ivec3 seed : seeds) {
-      const glm::dvec3 way = glm::dvec3(volume.grid.worldFromIndex() * glm::dvec4(glm::dvec3(voxel - seed), 0.0));
+      const glm::dvec3 way(volume.grid.worldFromIndex() * glm::dvec4(glm::dvec3(voxel - seed), 0.0));
       least = std::min(least, glm::dot(way, way));
     }
     return least;
   };
-  std::vector<std::uint8_t> lost(volume.grid.voxelCount());
+  std::vector<std::uint8_t> taken(volume.grid.voxelCount());
   const VoxelBox voxels = wholeOf(volume.grid.dims);
-  // 0: inside, 1: outside, 2: by the distance in space
-  const auto sideOf = [&](std::uint32_t leaf) { return in[leaf] == out[leaf] ? 2 : out[leaf] < in[leaf] ? 1 : 0; };
   forVoxels(
-      volume, [&](std::uint32_t a, std::uint32_t b) { return sideOf(a) == sideOf(b); },
+      volume, [&](std::uint32_t a, std::uint32_t b) { return sides[a] == sides[b]; },
       [&](std::size_t voxel, std::uint32_t leaf) {
-        const int side = sideOf(leaf);
         const glm::ivec3 at = voxels.at(voxel);
-        lost[voxel] = side == 2 ? squareTo(at, outside) < squareTo(at, inside) : side == 1;
+        taken[voxel] = sides[leaf] == Taken || (sides[leaf] == Shared && squareTo(at, outside) < squareTo(at, inside));
       });
-  return lost;
+  return taken;
 }
 
 }  // namespace fenestra::segmentation

@@ -38,10 +38,11 @@ class TissueTree {
   /// Costs are in units of noise(). Entry i is of voxel i of the volume. Runs on all cores.
   std::vector<Level> joinsOf(const Volume& volume, std::span<const glm::ivec3> inside) const;
 
-  /// By voxel: 1 where a seed of `outside` is nearer than any of `inside`. Ways lead from leaf to leaf and are as long
-  /// as the edges that they cross are high; within a seed's leaf the distance in space decides.
-  std::vector<std::uint8_t> nearerToOutside(const Volume& volume, std::span<const glm::ivec3> inside,
-                                            std::span<const glm::ivec3> outside) const;
+  /// By voxel: 1 in the largest tissues that hold a seed of `outside` and none of `inside`, where one outside is
+  /// nearer. Ways lead from leaf to leaf, and are as long as the edges that they cross are high; in a leaf that holds
+  /// both kinds the distance in space decides.
+  std::vector<std::uint8_t> takenBy(const Volume& volume, std::span<const glm::ivec3> inside,
+                                    std::span<const glm::ivec3> outside) const;
 
   double noiseUnit() const { return noise_.unit; }   ///< real values
   double bodyVolume() const { return bodyVolume_; }  ///< mm³ of what is no air
@@ -65,6 +66,8 @@ class TissueTree {
   void fillPockets(std::vector<Level>& joins) const;
   /// By leaf: the least sum of edges on a way from a seed.
   std::vector<float> distancesFrom(std::span<const glm::ivec3> seeds) const;
+  /// By node: whether it holds a seed.
+  std::vector<std::uint8_t> holding(std::span<const glm::ivec3> seeds) const;
   /// visit(offset of a voxel, its leaf) for all voxels, on all cores. `areAlike` tells of two leaves that it does not
   /// matter which of them holds a voxel.
   template <class AreAlike, class Visit>
