@@ -19,6 +19,35 @@ constexpr float stepLength = 0.25f;
 /// Cells that share one look at the volume's voxels: their intermediate arrays fit a core's cache.
 constexpr glm::ivec3 tileCells{32, 8, 8};
 
+/// The leaves of a cell and of those around it.
+class NearLeaves {
+ public:
+  NearLeaves(const std::vector<std::uint32_t>& leaves, const std::vector<float>& means, const VoxelBox& cells,
+             const VoxelBox& around) {
+    for (int z = around.low.z; z < around.high.z; ++z)
+      for (int y = around.low.y; y < around.high.y; ++y)
+        for (int x = around.low.x; x < around.high.x; ++x) {
+          const std::uint32_t leaf = leaves[cells.offset({x, y, z})];
+          if (std::find(leaves_.begin(), leaves_.begin() + count_, leaf) != leaves_.begin() + count_) continue;
+          leaves_[static_cast<std::size_t>(count_)] = leaf;
+          means_[static_cast<std::size_t>(count_++)] = means[leaf];
+        }
+  }
+
+  /// By its mean; the first of several.
+  std::uint32_t nearestTo(float tone) const {
+    std::size_t nearest = 0;
+    for (std::size_t i = 1; i < static_cast<std::size_t>(count_); ++i)
+      if (std::abs(means_[i] - tone) < std::abs(means_[nearest] - tone)) nearest = i;
+    return leaves_[nearest];
+  }
+
+ private:
+  std::array<std::uint32_t, 27> leaves_{};
+  std::array<float, 27> means_{};
+  std::ptrdiff_t count_ = 0;
+};
+
 }  // namespace
 
 std::shared_ptr<const TissueTree> TissueTree::build(const Volume& volume, const std::function<bool(double)>& goOn) {
@@ -158,7 +187,6 @@ std::vector<float> TissueTree::distancesFrom(std::span<const glm::ivec3> seeds) 
 
 template <class AreAlike, class Visit>
 void TissueTree::forVoxels(const Volume& volume, AreAlike areAlike, Visit visit) const {
-  const VoxelBox cells = wholeOf(cells_), voxels = wholeOf(volume.grid.dims);
   if (cellSize_ == glm::ivec3(1)) {
     for (std::size_t i = 0; i < leaves_.size(); ++i) visit(i, leaves_[i]);
     return;
@@ -168,37 +196,51 @@ void TissueTree::forVoxels(const Volume& volume, AreAlike areAlike, Visit visit)
   parallelFor(wholeOf(tiles).count(), 1, [&](std::size_t begin, std::size_t end) {
     for (std::size_t t = begin; t < end; ++t) {
       const glm::ivec3 first = wholeOf(tiles).at(t) * tileCells;
-      const VoxelBox tile = VoxelBox{first, first + tileCells}.clippedTo(cells);
-      const VoxelBox read = VoxelBox{tile.low * cellSize_, tile.high * cellSize_}.clippedTo(voxels);
-      std::vector<float> tones;  // only where a cell of the tile is on a border
-      for (std::size_t c = 0; c < tile.count(); ++c) {
-        const glm::ivec3 cell = tile.at(c);
-        const std::uint32_t own = leaves_[cells.offset(cell)];
-        const VoxelBox around = VoxelBox{cell - 1, cell + 2}.clippedTo(cells);
-        std::array<std::uint32_t, 27> near{};
-        bool isInner = true;
-        for (std::size_t i = 0; i < around.count(); ++i) {
-          near[i] = leaves_[cells.offset(around.at(i))];
-          isInner = isInner && areAlike(near[i], own);
-        }
-        if (!isInner && tones.empty()) tones = smoothedTones(volume, read, scale);
-        const VoxelBox held = VoxelBox{cell * cellSize_, (cell + 1) * cellSize_}.clippedTo(voxels);
-        for (std::size_t i = 0; i < held.count(); ++i) {
-          const glm::ivec3 voxel = held.at(i);
-          if (isInner) {
-            visit(volume.grid.offset(voxel), own);
-            continue;
-          }
-          const float tone = tones[read.offset(voxel)];
-          visit(volume.grid.offset(voxel),
-                *std::min_element(near.begin(), near.begin() + static_cast<std::ptrdiff_t>(around.count()),
-                                  [&](std::uint32_t a, std::uint32_t b) {
-                                    return std::abs(means_[a] - tone) < std::abs(means_[b] - tone);
-                                  }));
-        }
-      }
+      forTile(volume, scale, VoxelBox{first, first + tileCells}.clippedTo(wholeOf(cells_)), areAlike, visit);
     }
   });
+}
+
+template <class AreAlike, class Visit>
+void TissueTree::forTile(const Volume& volume, const ToneScale& scale, const VoxelBox& tile, AreAlike areAlike,
+                         Visit visit) const {
+  const VoxelBox cells = wholeOf(cells_), voxels = wholeOf(volume.grid.dims);
+  const VoxelBox read = VoxelBox{tile.low * cellSize_, tile.high * cellSize_}.clippedTo(voxels);
+  const auto allAlike = [&](const VoxelBox& box, std::uint32_t leaf) {
+    for (int z = box.low.z; z < box.high.z; ++z)
+      for (int y = box.low.y; y < box.high.y; ++y) {
+        const std::uint32_t* row = leaves_.data() + cells.offset({box.low.x, y, z});
+        for (int x = 0; x < box.dims().x; ++x)
+          if (!areAlike(row[x], leaf)) return false;
+      }
+    return true;
+  };
+  const auto visitAll = [&](const VoxelBox& box, std::uint32_t leaf) {
+    for (int z = box.low.z; z < box.high.z; ++z)
+      for (int y = box.low.y; y < box.high.y; ++y) {
+        const std::size_t row = volume.grid.offset({box.low.x, y, z});
+        for (std::size_t x = 0; x < static_cast<std::size_t>(box.dims().x); ++x) visit(row + x, leaf);
+      }
+  };
+  const std::uint32_t any = leaves_[cells.offset(tile.low)];
+  if (allAlike(tile.grownBy(glm::ivec3(1)).clippedTo(cells), any)) return visitAll(read, any);
+  std::vector<float> tones;  // only where a cell of the tile is on a border
+  for (std::size_t c = 0; c < tile.count(); ++c) {
+    const glm::ivec3 cell = tile.at(c);
+    const std::uint32_t own = leaves_[cells.offset(cell)];
+    const VoxelBox around = VoxelBox{cell - 1, cell + 2}.clippedTo(cells);
+    const VoxelBox held = VoxelBox{cell * cellSize_, (cell + 1) * cellSize_}.clippedTo(voxels);
+    if (allAlike(around, own)) {
+      visitAll(held, own);
+      continue;
+    }
+    if (tones.empty()) tones = smoothedTones(volume, read, scale);
+    const NearLeaves near(leaves_, means_, cells, around);
+    for (int z = held.low.z; z < held.high.z; ++z)
+      for (int y = held.low.y; y < held.high.y; ++y)
+        for (int x = held.low.x; x < held.high.x; ++x)
+          visit(volume.grid.offset({x, y, z}), near.nearestTo(tones[read.offset({x, y, z})]));
+  }
 }
 
 std::vector<Level> TissueTree::joinsOf(const Volume& volume, std::span<const glm::ivec3> inside) const {

@@ -72,6 +72,9 @@ class TissueTree {
   /// matter which of them holds a voxel.
   template <class AreAlike, class Visit>
   void forVoxels(const Volume& volume, AreAlike areAlike, Visit visit) const;
+  template <class AreAlike, class Visit>
+  void forTile(const Volume& volume, const ToneScale& scale, const VoxelBox& tile, AreAlike areAlike,
+               Visit visit) const;
 
   glm::ivec3 cellSize_{1};  ///< voxels
   glm::ivec3 cells_{0};     ///< cells along each axis
