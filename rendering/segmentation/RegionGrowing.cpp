@@ -1,70 +1,22 @@
 #include "rendering/segmentation/RegionGrowing.h"
 
 #include <algorithm>
-#include <array>
 #include <cassert>
 #include <cmath>
 #include <span>
 
-#include "rendering/segmentation/Costs.h"
-#include "rendering/segmentation/Flood.h"
-#include "rendering/segmentation/Morphology.h"
 #include "rendering/segmentation/Painting.h"
 #include "rendering/segmentation/Smoothing.h"
-#include "rendering/volume/Threads.h"
+#include "rendering/segmentation/ValueGrower.h"
 
 namespace fenestra::segmentation {
 namespace {
 
 // Chosen on the marked structures of tests/bench/results/growing.md.
-constexpr double passRadius = 1.5;    // voxel sides: leaks narrower than this ball are closed
-constexpr double thinPathCost = 3.0;  // noise units, on top, for paths narrower than the ball
-constexpr double regrowth = 1.0;      // voxel sides, beyond the ball that closes leaks: brings corners back
-/// Of the clarity: a region by tissues must be clearer than one by values by this much. Chosen with the clarity's
-/// weights.
+/// Of the clarity: a region by tissues must be clearer than one by values by this much.
 constexpr double tissuesHandicap = 0.25;
 /// Of the region before: a further seed adds no more. A part that was missed is seldom larger, a leak is.
 constexpr double mostAdded = 4.0;
-constexpr double seedRadius = 1.0;  // voxel sides: the ball whose median is the seed's value
-
-/// The levels of costs raised by thinPathCost.
-std::array<Level, 256> thinPathLevels() {
-  std::array<Level, 256> levels{};
-  for (int level = 0; level < levelCount; ++level)
-    levels[static_cast<std::size_t>(level)] = levelOf(costOf(level) + thinPathCost);
-  levels[never] = never;
-  return levels;
-}
-
-/// The offsets of a ball that lead from `index` into `box`, as voxels.
-std::vector<glm::ivec3> ballAround(glm::ivec3 index, const Grid& grid, double radius, const VoxelBox& box) {
-  std::vector<glm::ivec3> voxels;
-  for (const glm::ivec3 offset : ballOffsets(grid, radius))
-    if (box.contains(index + offset)) voxels.push_back(index + offset);
-  return voxels;
-}
-
-/// Median of the smoothed values around a seed.
-float toneAt(glm::ivec3 seed, const Volume& volume, const ToneScale& scale) {
-  const std::vector<glm::ivec3> around =
-      ballAround(seed, volume.grid, seedRadius * voxelSide(volume.grid), wholeOf(volume.grid.dims));
-  VoxelBox box{seed, seed + 1};
-  for (const glm::ivec3 voxel : around) box = {glm::min(box.low, voxel), glm::max(box.high, voxel + 1)};
-  const std::vector<float> values = smoothedTones(volume, box, scale);
-  std::vector<float> chosen;
-  for (const glm::ivec3 voxel : around) chosen.push_back(values[box.offset(voxel)]);
-  const auto middle = chosen.begin() + static_cast<std::ptrdiff_t>(chosen.size() / 2);
-  std::nth_element(chosen.begin(), middle, chosen.end());
-  return *middle;
-}
-
-/// One kind of seeds on its way to a flood.
-struct Kind {
-  std::vector<glm::ivec3> seeds;  ///< in the box's frame
-  std::vector<Level> costs;       ///< of the box's voxels
-  std::vector<Level> wide;        ///< costs of paths as wide as the ball
-  std::optional<PaddedLevels> paths;
-};
 
 /// A label map with a label for each step, whose voxels the caller sets.
 std::shared_ptr<LabelMap> emptySteps(const Grid& grid) {
@@ -76,16 +28,17 @@ std::shared_ptr<LabelMap> emptySteps(const Grid& grid) {
   return steps;
 }
 
-class Grower {
+/// Grows a region in a box, as its settings say.
+class SeedGrower {
  public:
-  Grower(const Volume& volume, const VoxelBox& box, const RegionFocus& settings, const Progress& progress)
-      : volume_(volume), box_(box), progress_(progress), side_(voxelSide(volume.grid)), thin_(thinPathLevels()) {
+  SeedGrower(const Volume& volume, const VoxelBox& box, const RegionFocus& settings, const Progress& progress)
+      : volume_(volume), box_(box), progress_(progress), byValues_(volume, box) {
     if (settings.ball > 0.0) ball_ = {settings.inside.front(), settings.ball};
   }
 
   /// By values alone.
   std::optional<Growth> run(const RegionFocus& settings) {
-    std::optional<std::vector<Level>> joins = floodedJoins(seedsIn(settings.inside), seedsIn(settings.outside));
+    std::optional<std::vector<Level>> joins = joinsByValues(seedsIn(settings.inside), seedsIn(settings.outside));
     if (!joins) return std::nullopt;
     return growthOf(*joins, curveOf(*joins), nullptr);
   }
@@ -95,7 +48,7 @@ class Grower {
   std::optional<Growth> run(const RegionFocus& settings, std::shared_ptr<const TissueTree> tissues) {
     const std::vector<glm::ivec3> inside = seedsIn(settings.inside), outside = seedsIn(settings.outside);
     const std::span<const glm::ivec3> first = std::span(inside).first(1);
-    std::optional<std::vector<Level>> joins = floodedJoins({inside.front()}, {});
+    std::optional<std::vector<Level>> joins = joinsByValues({inside.front()}, {});
     if (!joins) return std::nullopt;
     GrowthCurve curve = curveOf(*joins);
     std::vector<Level> byTissues = tissues->joinsOf(volume_, first);
@@ -126,23 +79,11 @@ class Grower {
   }
 
  private:
-  /// By values; empty when cancelled.
-  std::optional<std::vector<Level>> floodedJoins(const std::vector<glm::ivec3>& inside,
-                                                 const std::vector<glm::ivec3>& outside) {
-    assert(!inside.empty());
-    noise_ = noiseOf(volume_);
-    scale_.emplace(volume_, noise_, volume_.value(inside.front()));
-    kinds_[0].seeds = inside;
-    kinds_[1].seeds = outside;
-    if (!computeCosts() || !goOn(0.4)) return std::nullopt;
-    for (Kind& kind : kinds_)
-      if (!kind.seeds.empty()) preparePaths(kind);
-    if (!goOn(0.5)) return std::nullopt;
-    std::optional<Flooded> flooded = floodBox();
-    if (!flooded) return std::nullopt;
-    std::vector<Level> joins = putBallsBack(*flooded);
-    keepToBall(joins);
-    if (!goOn(0.8)) return std::nullopt;
+  /// Empty when cancelled.
+  std::optional<std::vector<Level>> joinsByValues(const std::vector<glm::ivec3>& inside,
+                                                  const std::vector<glm::ivec3>& outside) {
+    std::optional<std::vector<Level>> joins = byValues_.joins(inside, outside, progress_);
+    if (joins) keepToBall(*joins);
     return joins;
   }
 
@@ -151,7 +92,7 @@ class Grower {
     if (!ball_) return;
     const glm::dvec3 centre = ball_->centre;
     const double square = ball_->radius * ball_->radius;
-    forRows([&](int y, int z, std::size_t begin) {
+    forRows(box_.dims(), [&](int y, int z, std::size_t begin) {
       for (int x = 0; x < box_.dims().x; ++x) {
         const glm::dvec3 index(box_.low + glm::ivec3(x, y, z));
         const glm::dvec3 away = glm::dvec3(volume_.grid.worldFromIndex() * glm::dvec4(index, 1.0)) - centre;
@@ -186,13 +127,13 @@ class Grower {
   }
 
   GrowthCurve curveOf(const std::vector<Level>& joins) const {
-    return growthCurve(joins, kinds_[0].costs, volume_.grid, box_.dims(), noise_.share());
+    return growthCurve(joins, byValues_.costs(), volume_.grid, box_.dims(), byValues_.noise().share());
   }
 
   Growth growthOf(const std::vector<Level>& joins, GrowthCurve curve, std::shared_ptr<const TissueTree> tissues) const {
     Growth growth;
     growth.box = box_;
-    growth.noise = noise_.unit;
+    growth.noise = byValues_.noise().unit;
     growth.curve = std::move(curve);
     growth.tissues = std::move(tissues);
     growth.steps = stepsOf(joins);
@@ -209,103 +150,11 @@ class Grower {
     return voxels;
   }
 
-  /// False when cancelled.
-  bool computeCosts() {
-    std::vector<TissueCost> tissues;
-    for (Kind& kind : kinds_) {
-      if (kind.seeds.empty()) continue;
-      std::vector<float> tones;
-      for (const glm::ivec3 seed : kind.seeds) tones.push_back(toneAt(seed, volume_, *scale_));
-      tissues.emplace_back(tones);
-      kind.costs.resize(box_.count());
-    }
-    // A tile's intermediate arrays fit a core's cache.
-    constexpr glm::ivec3 tile(128, 32, 32);
-    const glm::ivec3 tiles = (box_.dims() + tile - 1) / tile;
-    for (int z = 0; z < tiles.z; ++z) {
-      if (!goOn(0.35 * z / tiles.z)) return false;
-      parallelFor(static_cast<std::size_t>(tiles.x * tiles.y), 1, [&](std::size_t begin, std::size_t end) {
-        for (int i = static_cast<int>(begin); i < static_cast<int>(end); ++i) {
-          const glm::ivec3 low = box_.low + glm::ivec3(i % tiles.x, i / tiles.x, z) * tile;
-          costsOf(VoxelBox{low, low + tile}.clippedTo(box_), tissues);
-        }
-      });
-    }
-    return true;
-  }
-
-  void costsOf(const VoxelBox& tile, const std::vector<TissueCost>& tissues) {
-    EdgeSharpener sharpener(volume_, tile, *scale_);
-    for (std::size_t k = 0; k < tissues.size(); ++k)
-      sharpener.forRows(tissues[k], [&](int y, int z, std::span<const Level> levels) {
-        std::copy(levels.begin(), levels.end(), kinds_[k].costs.data() + box_.offset({tile.low.x, y, z}));
-      });
-  }
-
-  /// A path's cost at a voxel: as wide as the ball, or thinner at the extra cost.
-  void preparePaths(Kind& kind) {
-    kind.wide = greatestWithin(kind.costs, box_.dims(), ballOffsets(volume_.grid, passRadius * side_));
-    kind.paths.emplace(box_.dims());
-    forRows([&](int y, int z, std::size_t begin) {
-      Level* to = kind.paths->row(y, z);
-      for (std::size_t x = 0; x < static_cast<std::size_t>(box_.dims().x); ++x)
-        to[x] = std::min(thin_[kind.costs[begin + x]], kind.wide[begin + x]);
-    });
-    // The ball of a wide path need not have its centre at the seed.
-    for (glm::ivec3& seed : kind.seeds) {
-      glm::ivec3 best = seed - box_.low;
-      for (const glm::ivec3 voxel : ballAround(seed, volume_.grid, passRadius * side_, box_)) {
-        const glm::ivec3 at = voxel - box_.low;
-        if (kind.paths->all()[kind.paths->offset(at)] < kind.paths->all()[kind.paths->offset(best)]) best = at;
-      }
-      seed = best;
-    }
-  }
-
-  std::optional<Flooded> floodBox() {
-    bool cancelled = false;
-    FloodSource inside{&*kinds_[0].paths, kinds_[0].seeds}, outside;
-    if (kinds_[1].paths) outside = {&*kinds_[1].paths, kinds_[1].seeds};
-    Flooded flooded = flood(inside, outside, [&](double fraction) {
-      cancelled = !goOn(0.5 + 0.3 * fraction);
-      return !cancelled;
-    });
-    if (cancelled) return std::nullopt;
-    for (Kind& kind : kinds_) kind.paths.reset();
-    return flooded;
-  }
-
-  /// The level at which each voxel of the box joins.
-  std::vector<Level> putBallsBack(const Flooded& flooded) {
-    std::vector<Level>& wide = kinds_[0].wide;
-    const std::vector<Level>& costs = kinds_[0].costs;
-    std::vector<Level> thin(box_.count()), joins(box_.count(), never);
-    forRows([&](int y, int z, std::size_t begin) {
-      const std::size_t padded = flooded.reached.offset({0, y, z});
-      for (std::size_t x = 0; x < static_cast<std::size_t>(box_.dims().x); ++x) {
-        const bool lost = !flooded.outside.empty() && flooded.outside[padded + x];
-        const Level reached = lost ? never : flooded.reached.all()[padded + x];
-        thin[begin + x] = std::max(reached, thin_[costs[begin + x]]);
-        wide[begin + x] = std::max(reached, wide[begin + x]);
-      }
-    });
-    lowerToLeastWithin(wide, box_.dims(), ballOffsets(volume_.grid, (passRadius + regrowth) * side_), joins);
-    lowerToLeastWithin(thin, box_.dims(), ballOffsets(volume_.grid, regrowth * side_), joins);
-    forRows([&](int y, int z, std::size_t begin) {
-      const std::size_t padded = flooded.reached.offset({0, y, z});
-      for (std::size_t x = 0; x < static_cast<std::size_t>(box_.dims().x); ++x) {
-        const bool lost = !flooded.outside.empty() && flooded.outside[padded + x];
-        joins[begin + x] = lost ? never : std::max(joins[begin + x], costs[begin + x]);
-      }
-    });
-    return joins;
-  }
-
   std::shared_ptr<const LabelMap> stepsOf(const std::vector<Level>& joins) const {
     const std::shared_ptr<LabelMap> steps = emptySteps(volume_.grid);
     std::uint8_t* all = steps->voxels.as<std::uint8_t>().data();
     if (box_ != wholeOf(volume_.grid.dims)) std::fill_n(all, volume_.grid.voxelCount(), std::uint8_t{0});
-    forRows([&](int y, int z, std::size_t begin) {
+    forRows(box_.dims(), [&](int y, int z, std::size_t begin) {
       std::uint8_t* to = all + volume_.grid.offset(box_.low + glm::ivec3(0, y, z));
       for (std::size_t x = 0; x < static_cast<std::size_t>(box_.dims().x); ++x)
         to[x] = static_cast<std::uint8_t>(joins[begin + x] + 1);  // never, 255, becomes 0
@@ -313,24 +162,10 @@ class Grower {
     return steps;
   }
 
-  /// visit(y, z, offset of the row) for all rows of the box, on all cores.
-  template <class Visit>
-  void forRows(Visit visit) const {
-    const glm::ivec3 dims = box_.dims();
-    parallelFor(static_cast<std::size_t>(dims.z), 1, [&](std::size_t begin, std::size_t end) {
-      for (int z = static_cast<int>(begin); z < static_cast<int>(end); ++z)
-        for (int y = 0; y < dims.y; ++y) visit(y, z, wholeOf(dims).offset({0, y, z}));
-    });
-  }
-
   const Volume& volume_;
   VoxelBox box_;
   const Progress& progress_;
-  double side_;
-  std::array<Level, 256> thin_;
-  Noise noise_;
-  std::optional<ToneScale> scale_;
-  std::array<Kind, 2> kinds_;  ///< inside, outside
+  ValueGrower byValues_;
   struct Ball {
     glm::dvec3 centre;  ///< world mm
     double radius;      ///< mm
@@ -438,9 +273,9 @@ std::optional<Growth> growRegion(const Volume& volume, const RegionFocus& settin
       return [&progress, begin, end](double share) { return !progress || progress(std::lerp(begin, end, share)); };
     };
     if (!tissues) tissues = TissueTree::build(volume, within(0.0, treeShare));
-    if (tissues) growth = Grower(volume, box, settings, within(treeShare, 1.0)).run(settings, tissues);
+    if (tissues) growth = SeedGrower(volume, box, settings, within(treeShare, 1.0)).run(settings, tissues);
   } else {
-    growth = Grower(volume, box, settings, progress).run(settings);
+    growth = SeedGrower(volume, box, settings, progress).run(settings);
   }
   if (growth && !settings.painted.empty()) paintOver(*growth, volume, settings.painted);
   return growth;

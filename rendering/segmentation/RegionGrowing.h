@@ -1,11 +1,17 @@
 #pragma once
 // A region grown from a click, for all tolerances at once.
 //
-// The cost of a voxel is the distance of its value, freed of noise, from the seed's, in units of the noise. Values
-// brighter than the seed cost less than darker ones, and a voxel on an edge costs as much as the tissue that it holds
-// more of. A voxel joins the region at the least tolerance that lets a path
-// from the seed reach it. Paths are as wide as a small ball, so that a leak narrower than the ball stays shut; a
-// thinner path costs an extra amount, so that thin structures can be grown too. In the end the ball is put back.
+// By values: the cost of a voxel is the distance of its value, freed of noise, from the seed's, in units of the noise.
+// Values brighter than the seed cost less than darker ones, and a voxel on an edge costs as much as the tissue that it
+// holds more of. A voxel joins the region at the least tolerance that lets a path from the seed reach it. Paths are as
+// wide as a small ball, so that a leak narrower than the ball stays shut; a thinner path costs an extra amount, so that
+// thin structures can be grown too. In the end the ball is put back.
+//
+// By tissues: the volume's tissues are found first, and merged two by two (TissueTree.h). A voxel joins at the cost of
+// the first merge that holds it and the seed. Of all regions of the first seed, by values and by tissues, the clearest
+// one opens (Curve.h), unless it would be more of the body than a structure is. A further seed adds its own clearest
+// region at the same tolerance. A seed outside takes away the largest tissue that holds no seed inside, where it is
+// nearer to it.
 
 #include <functional>
 #include <memory>
