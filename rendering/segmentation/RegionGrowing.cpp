@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <limits>
 #include <span>
 
 #include "rendering/segmentation/Painting.h"
@@ -15,8 +16,9 @@ namespace {
 // Chosen on the marked structures of tests/bench/results/growing.md.
 /// Of the clarity: a region by tissues must be clearer than one by values by this much.
 constexpr double tissuesHandicap = 0.25;
-/// Of the region before: a further seed adds no more. A part that was missed is seldom larger, a leak is.
-constexpr double mostAdded = 4.0;
+// A further seed adds no more than this share of the region, or this multiple of a structure's usual size. What a click
+// missed is seldom larger, a leak is.
+constexpr double mostOfRegion = 0.5, mostAdded = 20.0;
 
 /// A label map with a label for each step, whose voxels the caller sets.
 std::shared_ptr<LabelMap> emptySteps(const Grid& grid) {
@@ -67,9 +69,9 @@ class SeedGrower {
     const int automatic = curve.automatic;
     StructureSizes added = sizes;
     added.expected = curve.volume[static_cast<std::size_t>(automatic)];
-    added.most = std::min(sizes.most, mostAdded * added.expected);
+    added.most = std::min(sizes.most, std::max(mostOfRegion * added.expected, mostAdded * sizes.usual));
     for (const glm::ivec3& seed : std::span(inside).subspan(1)) addTissueAt(seed, *tissues, added, automatic, *joins);
-    if (!outside.empty()) takeAway(tissues->takenBy(volume_, inside, outside), *joins);
+    for (const glm::ivec3& seed : outside) takeTissueAt(seed, inside, *tissues, added, *joins);
     if (inside.size() > 1 || !outside.empty()) {
       // The tolerance stays: what is added and taken away is all that changes.
       curve = curveOf(*joins);
@@ -116,9 +118,19 @@ class SeedGrower {
         joins[i] = std::min(joins[i], static_cast<Level>(std::clamp(own[i] + shift, 0, levelCount - 1)));
   }
 
-  static void takeAway(const std::vector<std::uint8_t>& taken, std::vector<Level>& joins) {
+  /// The clearest tissue at a seed outside that holds no seed inside leaves at every step, where it is nearer to it.
+  void takeTissueAt(const glm::ivec3& seed, const std::vector<glm::ivec3>& inside, const TissueTree& tissues,
+                    const StructureSizes& sizes, std::vector<Level>& joins) const {
+    const std::vector<Level> own = tissues.joinsOf(volume_, std::span(&seed, 1));
+    int shared = stepCount;  // the last step without a seed inside
+    for (const glm::ivec3 each : inside) shared = std::min<int>(shared, own[wholeOf(volume_.grid.dims).offset(each)]);
+    GrowthCurve curve = curveOf(own);
+    std::fill(curve.volume.begin() + shared + 1, curve.volume.end(), std::numeric_limits<double>::infinity());
+    const auto clearest = clearestStep(curve, sizes, volume_.grid);
+    const int last = clearest ? clearest->step : std::max(1, shared);
+    const std::vector<std::uint8_t> taken = tissues.takenBy(volume_, inside, std::span(&seed, 1));
     for (std::size_t i = 0; i < joins.size(); ++i)
-      if (taken[i]) joins[i] = never;
+      if (taken[i] && own[i] < last) joins[i] = never;
   }
 
   bool isGasAt(glm::ivec3 seed) const {

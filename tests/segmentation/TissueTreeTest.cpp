@@ -186,21 +186,43 @@ TEST(RegionByTissues, ClicksAnywhereInABallGiveTheBall) {
 }
 
 TEST(RegionByTissues, SeedsChangeNothingElse) {
-  const auto volume = touchingBalls();
+  const glm::dvec3 small(38.0, 20.0, 20.0);
+  const auto inSmall = [&](glm::ivec3 at) { return inBall(at, small, 9.5); };
+  const auto volume = noisyVolume(gridOf(glm::ivec3(59, 41, 41)), 12.0,
+                                  [&](glm::ivec3 at) { return inLeft(at) || inSmall(at) ? 50.0 : 0.0; });
   const VoxelBox whole = wholeOf(volume->grid.dims);
   const auto tree = TissueTree::build(*volume);
+  const auto opened = [](const Growth& growth) {
+    return growth.curve.volume[static_cast<std::size_t>(growth.curve.automatic)];
+  };
   RegionFocus settings = byTissues(*volume, glm::ivec3(left));
   const Growth one = *growRegion(*volume, settings, whole, {}, tree);
-  settings.inside.push_back(worldOf(volume->grid, glm::ivec3(right)));
+  settings.inside.push_back(worldOf(volume->grid, glm::ivec3(small)));
   const Growth two = *growRegion(*volume, settings, whole, {}, tree);
   EXPECT_EQ(two.curve.automatic, one.curve.automatic);
-  const double ball = one.curve.volume[static_cast<std::size_t>(one.curve.automatic)];
-  EXPECT_NEAR(two.curve.volume[static_cast<std::size_t>(two.curve.automatic)], 2.0 * ball, 0.1 * ball);
-  settings.outside.push_back(worldOf(volume->grid, glm::ivec3(right) + glm::ivec3(4, 0, 0)));
+  const double share = std::pow(9.5 / radius, 3.0);  // of the small ball in the large one
+  EXPECT_NEAR(opened(two), (1.0 + share) * opened(one), 0.05 * opened(one));
+  settings.outside.push_back(worldOf(volume->grid, glm::ivec3(small) + glm::ivec3(4, 0, 0)));
   settings.inside.pop_back();
   const Growth again = *growRegion(*volume, settings, whole, {}, tree);
   EXPECT_EQ(again.curve.automatic, one.curve.automatic);
-  EXPECT_NEAR(again.curve.volume[static_cast<std::size_t>(again.curve.automatic)], ball, 0.05 * ball);
+  EXPECT_NEAR(opened(again), opened(one), 0.05 * opened(one));
+}
+
+TEST(RegionByTissues, TakesVolumesOfAnyKind) {
+  const auto single = volumeOf<std::uint8_t>(gridOf(glm::ivec3(1)), [](glm::ivec3) { return 3; });
+  const auto flat = volumeOf<std::int16_t>(gridOf({30, 20, 1}), [](glm::ivec3) { return -5; });
+  const auto holes = volumeOf<float>(gridOf(glm::ivec3(12)), [](glm::ivec3 at) {
+    return at.x == 6 ? tests::nan : at.y == 6 ? tests::infinity : at.z == 6 ? -tests::infinity : 1.0 + at.x;
+  });
+  for (const auto& volume : {single, flat, holes}) {
+    RegionFocus settings = byTissues(*volume, volume->grid.dims / 2);
+    settings.inside.push_back(worldOf(volume->grid, glm::ivec3(0)));
+    settings.outside.push_back(worldOf(volume->grid, volume->grid.dims - 1));
+    const Growth growth = *growRegion(*volume, settings, wholeOf(volume->grid.dims));
+    EXPECT_GE(growth.curve.automatic, 0);
+    EXPECT_LE(growth.curve.automatic, stepCount);
+  }
 }
 
 TEST(RegionByTissues, NothingGrowsOutsideTheBallDrawn) {
