@@ -5,6 +5,8 @@
 #include <vector>
 
 #include "app/options/Numbers.h"
+#include "app/options/WordOptions.h"
+#include "rendering/settings/SettingWords.h"
 
 namespace fenestra::app {
 namespace {
@@ -52,6 +54,20 @@ Option addSeedOptions(Command command, RegionFocus& region) {
            [&region](const std::string& text) {
              region.tolerance = parseNumber<double>(text);
              return region.tolerance && *region.tolerance >= 0.0;
+           })
+      .needs(seed);
+  region.rule = RegionRule::Tissues;
+  addWords<RegionRule>(command, "--by",
+                       "which voxels join: those of the clicked tissue, or those whose own values lie near the seed's; "
+                       "default tissues",
+                       region.rule)
+      .needs(seed);
+  command
+      .add("--ball", "R", "no voxel farther than R mm from the first --seed grows",
+           [&region](const std::string& text) {
+             const auto radius = parseNumber<double>(text);
+             if (radius) region.ball = *radius;
+             return radius && *radius > 0.0;
            })
       .needs(seed);
   command.group("Options");

@@ -94,6 +94,12 @@ void members(auto& io, io::json::Is<RegionFocus> auto& focus) {
               {"Seeds in the structure, in the patient's mm (LPS); none where the region is only painted"});
   io("outside", focus.outside, millimetres, {"Seeds in structures that the region must not enter"});
   io("painted", focus.painted, {}, {"Strokes over what grows, in the order they were painted"});
+  io("rule", focus.rule, {},
+     {"Which voxels join: those whose own values lie near the seeds', or those that belong to a seed's tissue more "
+      "than "
+      "to others of the volume"});
+  io("ball", focus.ball, io::json::nonNegative,
+     {"No voxel farther from the first inside seed grows; 0: any may", "mm"});
   io.optional("tolerance", focus.tolerance, focus.tolerance.has_value(), io::json::nonNegative,
               {"How far values may lie below the seed's, in the volume's unit; without it, chosen from the plateaus"});
 }

@@ -1,6 +1,8 @@
 #pragma once
 // How a grown region changes with its tolerance: plateaus, cliffs, and which tolerance to begin with.
 
+#include <limits>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -35,5 +37,26 @@ struct GrowthCurve {
 /// `noiseShare` is Noise::share(): with less noise, less contrast makes a surface. Runs on all cores.
 GrowthCurve growthCurve(std::span<const Level> joins, std::span<const Level> costs, const Grid& grid, glm::ivec3 dims,
                         double noiseShare);
+
+/// Which sizes a structure may have in a body, mm³.
+struct StructureSizes {
+  double usual = 0.0;  ///< what is smaller is less likely to be meant, the more the smaller it is
+  double most = 0.0;   ///< what is larger is no structure
+  double expected = std::numeric_limits<double>::infinity();  ///< what is larger is less likely to be meant
+};
+/// `body`: volume in mm³. Gas is the body's own: lungs may take up most of what a scan of the chest shows.
+StructureSizes structureSizes(double body, bool isGas);
+
+/// The step whose region is most clearly one structure, by the sharpness and compactness of its surface, by how far the
+/// tolerance can rise until it changes, and by its size.
+struct ClearestStep {
+  int step = 0;
+  double clarity = 0.0;  ///< a logarithm, comparable between curves of one volume
+};
+/// Empty where no region has a structure's size and a surface.
+std::optional<ClearestStep> clearestStep(const GrowthCurve& curve, const StructureSizes& sizes, const Grid& grid);
+
+/// Begins with `step`, which becomes a plateau where it is none.
+void beginWith(GrowthCurve& curve, int step);
 
 }  // namespace fenestra::segmentation

@@ -1,65 +1,24 @@
 #include "rendering/segmentation/RegionGrowing.h"
 
 #include <algorithm>
-#include <array>
 #include <cassert>
 #include <cmath>
+#include <limits>
 #include <span>
 
-#include "rendering/segmentation/Costs.h"
-#include "rendering/segmentation/Flood.h"
-#include "rendering/segmentation/Morphology.h"
 #include "rendering/segmentation/Painting.h"
 #include "rendering/segmentation/Smoothing.h"
-#include "rendering/volume/Threads.h"
+#include "rendering/segmentation/ValueGrower.h"
 
 namespace fenestra::segmentation {
 namespace {
 
 // Chosen on the marked structures of tests/bench/results/growing.md.
-constexpr double passRadius = 1.5;    // voxel sides: leaks narrower than this ball are closed
-constexpr double thinPathCost = 3.0;  // noise units, on top, for paths narrower than the ball
-constexpr double regrowth = 1.0;      // voxel sides, beyond the ball that closes leaks: brings corners back
-constexpr double seedRadius = 1.0;    // voxel sides: the ball whose median is the seed's value
-
-/// The levels of costs raised by thinPathCost.
-std::array<Level, 256> thinPathLevels() {
-  std::array<Level, 256> levels{};
-  for (int level = 0; level < levelCount; ++level)
-    levels[static_cast<std::size_t>(level)] = levelOf(costOf(level) + thinPathCost);
-  levels[never] = never;
-  return levels;
-}
-
-/// The offsets of a ball that lead from `index` into `box`, as voxels.
-std::vector<glm::ivec3> ballAround(glm::ivec3 index, const Grid& grid, double radius, const VoxelBox& box) {
-  std::vector<glm::ivec3> voxels;
-  for (const glm::ivec3 offset : ballOffsets(grid, radius))
-    if (box.contains(index + offset)) voxels.push_back(index + offset);
-  return voxels;
-}
-
-/// Median of the smoothed values around a seed.
-float toneAt(glm::ivec3 seed, const Volume& volume, const ToneScale& scale) {
-  const std::vector<glm::ivec3> around =
-      ballAround(seed, volume.grid, seedRadius * voxelSide(volume.grid), wholeOf(volume.grid.dims));
-  VoxelBox box{seed, seed + 1};
-  for (const glm::ivec3 voxel : around) box = {glm::min(box.low, voxel), glm::max(box.high, voxel + 1)};
-  const std::vector<float> values = smoothedTones(volume, box, scale);
-  std::vector<float> chosen;
-  for (const glm::ivec3 voxel : around) chosen.push_back(values[box.offset(voxel)]);
-  const auto middle = chosen.begin() + static_cast<std::ptrdiff_t>(chosen.size() / 2);
-  std::nth_element(chosen.begin(), middle, chosen.end());
-  return *middle;
-}
-
-/// One kind of seeds on its way to a flood.
-struct Kind {
-  std::vector<glm::ivec3> seeds;  ///< in the box's frame
-  std::vector<Level> costs;       ///< of the box's voxels
-  std::vector<Level> wide;        ///< costs of paths as wide as the ball
-  std::optional<PaddedLevels> paths;
-};
+/// Of the clarity: a region by tissues must be clearer than one by values by this much.
+constexpr double tissuesHandicap = 0.25;
+// A further seed adds no more than this share of the region, or this multiple of a structure's usual size. What a click
+// missed is seldom larger, a leak is.
+constexpr double mostOfRegion = 0.5, mostAdded = 20.0;
 
 /// A label map with a label for each step, whose voxels the caller sets.
 std::shared_ptr<LabelMap> emptySteps(const Grid& grid) {
@@ -71,37 +30,129 @@ std::shared_ptr<LabelMap> emptySteps(const Grid& grid) {
   return steps;
 }
 
-class Grower {
+/// Grows a region in a box, as its settings say.
+class SeedGrower {
  public:
-  Grower(const Volume& volume, const VoxelBox& box, const Progress& progress)
-      : volume_(volume), box_(box), progress_(progress), side_(voxelSide(volume.grid)), thin_(thinPathLevels()) {}
+  SeedGrower(const Volume& volume, const VoxelBox& box, const RegionFocus& settings, const Progress& progress)
+      : volume_(volume), box_(box), progress_(progress), byValues_(volume, box) {
+    if (settings.ball > 0.0) ball_ = {settings.inside.front(), settings.ball};
+  }
 
+  /// By values alone.
   std::optional<Growth> run(const RegionFocus& settings) {
+    std::optional<std::vector<Level>> joins = joinsByValues(seedsIn(settings.inside), seedsIn(settings.outside));
+    if (!joins) return std::nullopt;
+    return growthOf(*joins, curveOf(*joins), nullptr);
+  }
+
+  /// From the first seed by values or by tissues of the whole volume, whichever is clearer; what the further seeds mean
+  /// is added, and what the seeds outside mean is taken away.
+  std::optional<Growth> run(const RegionFocus& settings, std::shared_ptr<const TissueTree> tissues) {
     const std::vector<glm::ivec3> inside = seedsIn(settings.inside), outside = seedsIn(settings.outside);
-    assert(!inside.empty());
-    noise_ = noiseOf(volume_);
-    scale_.emplace(volume_, noise_, volume_.value(inside.front()));
-    kinds_[0].seeds = inside;
-    kinds_[1].seeds = outside;
-    if (!computeCosts() || !goOn(0.4)) return std::nullopt;
-    for (Kind& kind : kinds_)
-      if (!kind.seeds.empty()) preparePaths(kind);
-    if (!goOn(0.5)) return std::nullopt;
-    std::optional<Flooded> flooded = floodBox();
-    if (!flooded) return std::nullopt;
-    const std::vector<Level> joins = putBallsBack(*flooded);
-    flooded.reset();
+    const std::span<const glm::ivec3> first = std::span(inside).first(1);
+    std::optional<std::vector<Level>> joins = joinsByValues({inside.front()}, {});
+    if (!joins) return std::nullopt;
+    GrowthCurve curve = curveOf(*joins);
+    std::vector<Level> byTissues = tissues->joinsOf(volume_, first);
+    keepToBall(byTissues);
     if (!goOn(0.9)) return std::nullopt;
+    GrowthCurve other = curveOf(byTissues);
+    const StructureSizes sizes = structureSizes(tissues->bodyVolume(), isGasAt(inside.front()));
+    const auto byValue = clearestStep(curve, sizes, volume_.grid), byTissue = clearestStep(other, sizes, volume_.grid);
+    if (byTissue && (!byValue || byTissue->clarity > byValue->clarity + tissuesHandicap)) {
+      curve = std::move(other);
+      joins = std::move(byTissues);
+      beginWith(curve, byTissue->step);
+    } else if (byValue) {
+      beginWith(curve, byValue->step);
+    }
+    const int automatic = curve.automatic;
+    StructureSizes added = sizes;
+    added.expected = curve.volume[static_cast<std::size_t>(automatic)];
+    added.most = std::min(sizes.most, std::max(mostOfRegion * added.expected, mostAdded * sizes.usual));
+    for (const glm::ivec3& seed : std::span(inside).subspan(1)) addTissueAt(seed, *tissues, added, automatic, *joins);
+    for (const glm::ivec3& seed : outside) takeTissueAt(seed, inside, *tissues, added, *joins);
+    if (inside.size() > 1 || !outside.empty()) {
+      // The tolerance stays: what is added and taken away is all that changes.
+      curve = curveOf(*joins);
+      beginWith(curve, automatic);
+    }
+    return growthOf(*joins, std::move(curve), std::move(tissues));
+  }
+
+ private:
+  /// Empty when cancelled.
+  std::optional<std::vector<Level>> joinsByValues(const std::vector<glm::ivec3>& inside,
+                                                  const std::vector<glm::ivec3>& outside) {
+    std::optional<std::vector<Level>> joins = byValues_.joins(inside, outside, progress_);
+    if (joins) keepToBall(*joins);
+    return joins;
+  }
+
+  /// Nothing joins outside the ball around the first seed, where there is one.
+  void keepToBall(std::vector<Level>& joins) const {
+    if (!ball_) return;
+    const glm::dvec3 centre = ball_->centre;
+    const double square = ball_->radius * ball_->radius;
+    forRows(box_.dims(), [&](int y, int z, std::size_t begin) {
+      for (int x = 0; x < box_.dims().x; ++x) {
+        const glm::dvec3 index(box_.low + glm::ivec3(x, y, z));
+        const glm::dvec3 away = glm::dvec3(volume_.grid.worldFromIndex() * glm::dvec4(index, 1.0)) - centre;
+        if (glm::dot(away, away) > square) joins[begin + static_cast<std::size_t>(x)] = never;
+      }
+    });
+  }
+
+  /// The clearest tissue at a further seed joins at the step `automatic`, with its own larger and smaller ones around
+  /// it.
+  void addTissueAt(const glm::ivec3& seed, const TissueTree& tissues, const StructureSizes& sizes, int automatic,
+                   std::vector<Level>& joins) const {
+    const std::size_t at = wholeOf(volume_.grid.dims).offset(seed);
+    if (joins[at] < automatic) return;
+    std::vector<Level> own = tissues.joinsOf(volume_, std::span(&seed, 1));
+    keepToBall(own);
+    const auto clearest = clearestStep(curveOf(own), sizes, volume_.grid);
+    const int shift = automatic - (clearest ? clearest->step : 1);
+    for (std::size_t i = 0; i < joins.size(); ++i)
+      if (own[i] != never)
+        joins[i] = std::min(joins[i], static_cast<Level>(std::clamp(own[i] + shift, 0, levelCount - 1)));
+  }
+
+  /// The clearest tissue at a seed outside that holds no seed inside leaves at every step, where it is nearer to it.
+  void takeTissueAt(const glm::ivec3& seed, const std::vector<glm::ivec3>& inside, const TissueTree& tissues,
+                    const StructureSizes& sizes, std::vector<Level>& joins) const {
+    const std::vector<Level> own = tissues.joinsOf(volume_, std::span(&seed, 1));
+    int shared = stepCount;  // the last step without a seed inside
+    for (const glm::ivec3 each : inside) shared = std::min<int>(shared, own[wholeOf(volume_.grid.dims).offset(each)]);
+    GrowthCurve curve = curveOf(own);
+    std::fill(curve.volume.begin() + shared + 1, curve.volume.end(), std::numeric_limits<double>::infinity());
+    const auto clearest = clearestStep(curve, sizes, volume_.grid);
+    const int last = clearest ? clearest->step : std::max(1, shared);
+    const std::vector<std::uint8_t> taken = tissues.takenBy(volume_, inside, std::span(&seed, 1));
+    for (std::size_t i = 0; i < joins.size(); ++i)
+      if (taken[i] && own[i] < last) joins[i] = never;
+  }
+
+  bool isGasAt(glm::ivec3 seed) const {
+    constexpr double gas = -400.0;  // HU
+    return volume_.isInHounsfieldUnits() && volume_.value(seed) < gas;
+  }
+
+  GrowthCurve curveOf(const std::vector<Level>& joins) const {
+    return growthCurve(joins, byValues_.costs(), volume_.grid, box_.dims(), byValues_.noise().share());
+  }
+
+  Growth growthOf(const std::vector<Level>& joins, GrowthCurve curve, std::shared_ptr<const TissueTree> tissues) const {
     Growth growth;
     growth.box = box_;
-    growth.noise = noise_.unit;
-    growth.curve = growthCurve(joins, kinds_[0].costs, volume_.grid, box_.dims(), noise_.share());
+    growth.noise = byValues_.noise().unit;
+    growth.curve = std::move(curve);
+    growth.tissues = std::move(tissues);
     growth.steps = stepsOf(joins);
     goOn(1.0);
     return growth;
   }
 
- private:
   bool goOn(double fraction) const { return !progress_ || progress_(fraction); }
 
   std::vector<glm::ivec3> seedsIn(const std::vector<glm::dvec3>& seeds) const {
@@ -111,103 +162,11 @@ class Grower {
     return voxels;
   }
 
-  /// False when cancelled.
-  bool computeCosts() {
-    std::vector<TissueCost> tissues;
-    for (Kind& kind : kinds_) {
-      if (kind.seeds.empty()) continue;
-      std::vector<float> tones;
-      for (const glm::ivec3 seed : kind.seeds) tones.push_back(toneAt(seed, volume_, *scale_));
-      tissues.emplace_back(tones);
-      kind.costs.resize(box_.count());
-    }
-    // A tile's intermediate arrays fit a core's cache.
-    constexpr glm::ivec3 tile(128, 32, 32);
-    const glm::ivec3 tiles = (box_.dims() + tile - 1) / tile;
-    for (int z = 0; z < tiles.z; ++z) {
-      if (!goOn(0.35 * z / tiles.z)) return false;
-      parallelFor(static_cast<std::size_t>(tiles.x * tiles.y), 1, [&](std::size_t begin, std::size_t end) {
-        for (int i = static_cast<int>(begin); i < static_cast<int>(end); ++i) {
-          const glm::ivec3 low = box_.low + glm::ivec3(i % tiles.x, i / tiles.x, z) * tile;
-          costsOf(VoxelBox{low, low + tile}.clippedTo(box_), tissues);
-        }
-      });
-    }
-    return true;
-  }
-
-  void costsOf(const VoxelBox& tile, const std::vector<TissueCost>& tissues) {
-    EdgeSharpener sharpener(volume_, tile, *scale_);
-    for (std::size_t k = 0; k < tissues.size(); ++k)
-      sharpener.forRows(tissues[k], [&](int y, int z, std::span<const Level> levels) {
-        std::copy(levels.begin(), levels.end(), kinds_[k].costs.data() + box_.offset({tile.low.x, y, z}));
-      });
-  }
-
-  /// A path's cost at a voxel: as wide as the ball, or thinner at the extra cost.
-  void preparePaths(Kind& kind) {
-    kind.wide = greatestWithin(kind.costs, box_.dims(), ballOffsets(volume_.grid, passRadius * side_));
-    kind.paths.emplace(box_.dims());
-    forRows([&](int y, int z, std::size_t begin) {
-      Level* to = kind.paths->row(y, z);
-      for (std::size_t x = 0; x < static_cast<std::size_t>(box_.dims().x); ++x)
-        to[x] = std::min(thin_[kind.costs[begin + x]], kind.wide[begin + x]);
-    });
-    // The ball of a wide path need not have its centre at the seed.
-    for (glm::ivec3& seed : kind.seeds) {
-      glm::ivec3 best = seed - box_.low;
-      for (const glm::ivec3 voxel : ballAround(seed, volume_.grid, passRadius * side_, box_)) {
-        const glm::ivec3 at = voxel - box_.low;
-        if (kind.paths->all()[kind.paths->offset(at)] < kind.paths->all()[kind.paths->offset(best)]) best = at;
-      }
-      seed = best;
-    }
-  }
-
-  std::optional<Flooded> floodBox() {
-    bool cancelled = false;
-    FloodSource inside{&*kinds_[0].paths, kinds_[0].seeds}, outside;
-    if (kinds_[1].paths) outside = {&*kinds_[1].paths, kinds_[1].seeds};
-    Flooded flooded = flood(inside, outside, [&](double fraction) {
-      cancelled = !goOn(0.5 + 0.3 * fraction);
-      return !cancelled;
-    });
-    if (cancelled) return std::nullopt;
-    for (Kind& kind : kinds_) kind.paths.reset();
-    return flooded;
-  }
-
-  /// The level at which each voxel of the box joins.
-  std::vector<Level> putBallsBack(const Flooded& flooded) {
-    std::vector<Level>& wide = kinds_[0].wide;
-    const std::vector<Level>& costs = kinds_[0].costs;
-    std::vector<Level> thin(box_.count()), joins(box_.count(), never);
-    forRows([&](int y, int z, std::size_t begin) {
-      const std::size_t padded = flooded.reached.offset({0, y, z});
-      for (std::size_t x = 0; x < static_cast<std::size_t>(box_.dims().x); ++x) {
-        const bool lost = !flooded.outside.empty() && flooded.outside[padded + x];
-        const Level reached = lost ? never : flooded.reached.all()[padded + x];
-        thin[begin + x] = std::max(reached, thin_[costs[begin + x]]);
-        wide[begin + x] = std::max(reached, wide[begin + x]);
-      }
-    });
-    lowerToLeastWithin(wide, box_.dims(), ballOffsets(volume_.grid, (passRadius + regrowth) * side_), joins);
-    lowerToLeastWithin(thin, box_.dims(), ballOffsets(volume_.grid, regrowth * side_), joins);
-    forRows([&](int y, int z, std::size_t begin) {
-      const std::size_t padded = flooded.reached.offset({0, y, z});
-      for (std::size_t x = 0; x < static_cast<std::size_t>(box_.dims().x); ++x) {
-        const bool lost = !flooded.outside.empty() && flooded.outside[padded + x];
-        joins[begin + x] = lost ? never : std::max(joins[begin + x], costs[begin + x]);
-      }
-    });
-    return joins;
-  }
-
   std::shared_ptr<const LabelMap> stepsOf(const std::vector<Level>& joins) const {
     const std::shared_ptr<LabelMap> steps = emptySteps(volume_.grid);
     std::uint8_t* all = steps->voxels.as<std::uint8_t>().data();
     if (box_ != wholeOf(volume_.grid.dims)) std::fill_n(all, volume_.grid.voxelCount(), std::uint8_t{0});
-    forRows([&](int y, int z, std::size_t begin) {
+    forRows(box_.dims(), [&](int y, int z, std::size_t begin) {
       std::uint8_t* to = all + volume_.grid.offset(box_.low + glm::ivec3(0, y, z));
       for (std::size_t x = 0; x < static_cast<std::size_t>(box_.dims().x); ++x)
         to[x] = static_cast<std::uint8_t>(joins[begin + x] + 1);  // never, 255, becomes 0
@@ -215,24 +174,15 @@ class Grower {
     return steps;
   }
 
-  /// visit(y, z, offset of the row) for all rows of the box, on all cores.
-  template <class Visit>
-  void forRows(Visit visit) const {
-    const glm::ivec3 dims = box_.dims();
-    parallelFor(static_cast<std::size_t>(dims.z), 1, [&](std::size_t begin, std::size_t end) {
-      for (int z = static_cast<int>(begin); z < static_cast<int>(end); ++z)
-        for (int y = 0; y < dims.y; ++y) visit(y, z, wholeOf(dims).offset({0, y, z}));
-    });
-  }
-
   const Volume& volume_;
   VoxelBox box_;
   const Progress& progress_;
-  double side_;
-  std::array<Level, 256> thin_;
-  Noise noise_;
-  std::optional<ToneScale> scale_;
-  std::array<Kind, 2> kinds_;  ///< inside, outside
+  ValueGrower byValues_;
+  struct Ball {
+    glm::dvec3 centre;  ///< world mm
+    double radius;      ///< mm
+  };
+  std::optional<Ball> ball_;
 };
 
 /// The growth of a region that is only painted.
@@ -284,15 +234,17 @@ bool canGrow(const Volume& volume, const RegionFocus& region) {
 }
 
 bool haveSameSeeds(const RegionFocus& a, const RegionFocus& b) {
-  return a.inside == b.inside && a.outside == b.outside && a.painted == b.painted;
+  return a.inside == b.inside && a.outside == b.outside && a.painted == b.painted && a.rule == b.rule &&
+         a.ball == b.ball;
 }
 
 std::optional<Growth> paintedOn(const Growth& growth, const RegionFocus& grownFrom, const RegionFocus& wanted,
                                 const Volume& volume) {
   const std::vector<SelectionStroke>&first = grownFrom.painted, &all = wanted.painted;
-  const bool continues = grownFrom.inside == wanted.inside && grownFrom.outside == wanted.outside &&
-                         first.size() <= all.size() && std::equal(first.begin(), first.end(), all.begin());
-  if (!continues) return std::nullopt;
+  RegionFocus begun = wanted;
+  if (first.size() > all.size()) return std::nullopt;
+  begun.painted.resize(first.size());
+  if (!haveSameSeeds(grownFrom, begun)) return std::nullopt;
   Growth painted = growth;
   paintOver(painted, volume, std::span(all).subspan(first.size()));
   return painted;
@@ -317,14 +269,26 @@ VoxelBox previewBox(const Volume& volume, const RegionFocus& settings) {
 }
 
 std::optional<Growth> growRegion(const Volume& volume, const RegionFocus& settings, const VoxelBox& reach,
-                                 const Progress& progress) {
-  const VoxelBox box = reach.clippedTo(wholeOf(volume.grid.dims));
+                                 const Progress& progress, std::shared_ptr<const TissueTree> tissues) {
+  const VoxelBox whole = wholeOf(volume.grid.dims), box = reach.clippedTo(whole);
   const bool grows = std::any_of(settings.inside.begin(), settings.inside.end(), [&](glm::dvec3 seed) {
     const auto voxel = voxelAt(volume.grid, seed);
     return voxel && box.contains(*voxel);
   });
   assert(grows || !settings.painted.empty());
-  std::optional<Growth> growth = grows ? Grower(volume, box, progress).run(settings) : nothingGrown(volume);
+  std::optional<Growth> growth;
+  if (!grows) {
+    growth = nothingGrown(volume);
+  } else if (settings.rule == RegionRule::Tissues && box == whole) {
+    constexpr double treeShare = 0.5;  // of the progress
+    const auto within = [&](double begin, double end) -> Progress {
+      return [&progress, begin, end](double share) { return !progress || progress(std::lerp(begin, end, share)); };
+    };
+    if (!tissues) tissues = TissueTree::build(volume, within(0.0, treeShare));
+    if (tissues) growth = SeedGrower(volume, box, settings, within(treeShare, 1.0)).run(settings, tissues);
+  } else {
+    growth = SeedGrower(volume, box, settings, progress).run(settings);
+  }
   if (growth && !settings.painted.empty()) paintOver(*growth, volume, settings.painted);
   return growth;
 }

@@ -1,11 +1,17 @@
 #pragma once
 // A region grown from a click, for all tolerances at once.
 //
-// The cost of a voxel is the distance of its value, freed of noise, from the seed's, in units of the noise. Values
-// brighter than the seed cost less than darker ones, and a voxel on an edge costs as much as the tissue that it holds
-// more of. A voxel joins the region at the least tolerance that lets a path
-// from the seed reach it. Paths are as wide as a small ball, so that a leak narrower than the ball stays shut; a
-// thinner path costs an extra amount, so that thin structures can be grown too. In the end the ball is put back.
+// By values: the cost of a voxel is the distance of its value, freed of noise, from the seed's, in units of the noise.
+// Values brighter than the seed cost less than darker ones, and a voxel on an edge costs as much as the tissue that it
+// holds more of. A voxel joins the region at the least tolerance that lets a path from the seed reach it. Paths are as
+// wide as a small ball, so that a leak narrower than the ball stays shut; a thinner path costs an extra amount, so that
+// thin structures can be grown too. In the end the ball is put back.
+//
+// By tissues: the volume's tissues are found first, and merged two by two (TissueTree.h). A voxel joins at the cost of
+// the first merge that holds it and the seed. Of all regions of the first seed, by values and by tissues, the clearest
+// one opens (Curve.h), unless it would be more of the body than a structure is. A further seed adds its own clearest
+// region at the same tolerance. A seed outside takes away the largest tissue that holds no seed inside, where it is
+// nearer to it.
 
 #include <functional>
 #include <memory>
@@ -14,6 +20,7 @@
 
 #include "rendering/scene/Scene.h"
 #include "rendering/segmentation/Curve.h"
+#include "rendering/segmentation/TissueTree.h"
 #include "rendering/segmentation/VoxelBox.h"
 
 namespace fenestra::segmentation {
@@ -30,6 +37,7 @@ struct Growth {
   VoxelBox box;        ///< where `steps` may be other than 0
   double noise = 1.0;  ///< Noise::unit, real values
   GrowthCurve curve;
+  std::shared_ptr<const TissueTree> tissues;  ///< of the volume; null for RegionRule::Values
 
   /// Real values below the seed's that step n allows, and the step that allows `tolerance`.
   double toleranceOf(int step) const;
@@ -64,9 +72,10 @@ VoxelBox previewBox(const Volume& volume, const RegionFocus& settings);
 
 /// Grows within `reach`, the whole volume for the final result or previewBox() for a first look. Seeds outside `reach`
 /// are ignored, strokes are not; `settings.tolerance` is not used. Empty when cancelled. Takes five bytes a voxel of
-/// `reach` while it runs, eight with outside seeds, beside the result's one. Runs on all cores; call it off the GUI
-/// thread.
+/// `reach` while it runs, eight with outside seeds, beside the result's one. By tissues it grows the region by values,
+/// too, and takes the clearer one; `tissues` is the volume's, built here where it is null. A first look, in less than
+/// the whole volume, is by values. Runs on all cores; call it off the GUI thread.
 std::optional<Growth> growRegion(const Volume& volume, const RegionFocus& settings, const VoxelBox& reach,
-                                 const Progress& progress = {});
+                                 const Progress& progress = {}, std::shared_ptr<const TissueTree> tissues = nullptr);
 
 }  // namespace fenestra::segmentation

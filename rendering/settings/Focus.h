@@ -37,6 +37,12 @@ struct SelectionStroke {
   bool operator==(const SelectionStroke&) const = default;
 };
 
+/// Which voxels join a region, see rendering/segmentation/RegionGrowing.h.
+enum class RegionRule : std::uint8_t {
+  Values,  ///< those whose own values lie near the seeds'
+  Tissues  ///< those that belong to a seed's tissue more than to the others of the volume
+};
+
 /// The region grown from seeds, and painted, see rendering/segmentation. What draws a scene knows labels and values
 /// alone: segmentation::DrawnScene makes that of it.
 struct RegionFocus {
@@ -45,6 +51,8 @@ struct RegionFocus {
   std::vector<glm::dvec3> outside;  ///< world mm: in structures that the region must not enter
   std::optional<double> tolerance;  ///< real values (HU for CT) below the seed's; empty: chosen from the plateaus
   std::vector<SelectionStroke> painted{};  ///< over what grows, in their order; without an inside seed at least one
+  RegionRule rule = RegionRule::Values;
+  double ball = 0.0;  ///< mm: no voxel farther from the first inside seed grows; 0: any may
   bool operator==(const RegionFocus&) const = default;
   /// Neither a seed inside nor a stroke.
   bool empty() const { return inside.empty() && painted.empty(); }

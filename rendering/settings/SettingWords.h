@@ -34,6 +34,12 @@ constexpr auto wordsOf(LabelRole) {
        {LabelRole::Hidden, "hidden", "Hidden", "Left out of 3-D pictures; slices show its voxels"},
        {LabelRole::Protected, "protected", "Protected", "Never cut away, even where it hides the focus"}});
 }
+constexpr auto wordsOf(RegionRule) {
+  return std::to_array<Word<RegionRule>>(
+      {{RegionRule::Values, "values", "Values", "What is connected to the click by values near its own"},
+       {RegionRule::Tissues, "tissues", "Tissues",
+        "What belongs to the clicked tissue more than to any other of the volume"}});
+}
 constexpr auto wordsOf(Reconstruction) {
   return std::to_array<Word<Reconstruction>>(
       {{Reconstruction::Linear, "linear", "Straight", "Straight lines between voxels: coarse scans show terraces"},

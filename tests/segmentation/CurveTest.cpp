@@ -86,5 +86,57 @@ TEST(Curve, OfAFewVoxelsBeginsWithThem) {
   EXPECT_EQ(curve.automatic, 31);
 }
 
+/// A body of 1 l, with a region of `volumes` mm³ by the step at which they begin.
+GrowthCurve madeCurve(const std::vector<std::pair<int, double>>& volumes, double contrast, double compactness) {
+  GrowthCurve curve;
+  for (int step = 0; step <= stepCount; ++step) {
+    double volume = 0.0;
+    for (const auto& [first, each] : volumes)
+      if (step >= first) volume = each;
+    curve.volume.push_back(volume);
+    curve.contrast.push_back(volume > 0.0 ? contrast : 0.0);
+    curve.compactness.push_back(volume > 0.0 ? compactness : 0.0);
+  }
+  return curve;
+}
+
+TEST(ClearestStep, IsTheRegionThatStaysLongest) {
+  const StructureSizes sizes = structureSizes(1e6, false);
+  const Grid grid = tests::gridOf(glm::ivec3(100));
+  const auto clearest = clearestStep(
+      madeCurve({{10, 5000.0}, {20, 6000.0}, {60, 7000.0}, {70, 9000.0}, {80, 2e5}}, 3.0, 0.8), sizes, grid);
+  ASSERT_TRUE(clearest);
+  EXPECT_EQ(clearest->step, 20);
+}
+
+TEST(ClearestStep, LeavesOutWhatIsTooLargeOrHasNoSurface) {
+  const Grid grid = tests::gridOf(glm::ivec3(100));
+  EXPECT_FALSE(clearestStep(madeCurve({{10, 2e5}}, 3.0, 0.8), structureSizes(1e6, false), grid));
+  EXPECT_TRUE(clearestStep(madeCurve({{10, 2e5}}, 3.0, 0.8), structureSizes(1e6, true), grid));
+  EXPECT_FALSE(clearestStep(madeCurve({{10, 2e4}}, 0.0, 0.8), structureSizes(1e6, false), grid));
+}
+
+TEST(ClearestStep, PrefersUsualSizes) {
+  const Grid grid = tests::gridOf(glm::ivec3(100));
+  StructureSizes sizes = structureSizes(1e8, false);  // usual: 20 ml
+  const GrowthCurve curve = madeCurve({{100, 2000.0}, {140, 25000.0}, {170, 90000.0}, {190, 5e7}}, 3.0, 0.8);
+  EXPECT_EQ(clearestStep(curve, sizes, grid)->step, 140);
+  sizes.expected = 25000.0;
+  EXPECT_EQ(clearestStep(curve, sizes, grid)->step, 140);
+}
+
+TEST(BeginWith, MakesAPlateauWhereThereIsNone) {
+  GrowthCurve curve = madeCurve({{10, 1000.0}, {100, 3000.0}}, 3.0, 0.8);
+  beginWith(curve, 120);
+  EXPECT_EQ(curve.automatic, 120);
+  ASSERT_EQ(curve.plateaus.size(), 1u);
+  EXPECT_EQ(curve.plateaus.front().first, 100);
+  beginWith(curve, 130);
+  EXPECT_EQ(curve.plateaus.size(), 1u);  // holds it already
+  beginWith(curve, 50);
+  ASSERT_EQ(curve.plateaus.size(), 2u);
+  EXPECT_EQ(curve.plateaus.front().best, 50);
+}
+
 }  // namespace
 }  // namespace fenestra::segmentation

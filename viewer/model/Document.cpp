@@ -181,9 +181,9 @@ void Document::setGrowth(const RegionFocus& seeds, std::shared_ptr<const segment
   Q_EMIT sceneChanged();
 }
 
-void Document::growFrom(glm::dvec3 world) {
+void Document::growFrom(glm::dvec3 world, double ball) {
   Look changed = look();
-  changed.focus = RegionFocus{{world}, {}, {}};
+  changed.focus = RegionFocus{{world}, {}, {}, {}, RegionRule::Tissues, ball};
   edit(tr("Region"), std::move(changed));
 }
 

@@ -78,7 +78,7 @@ class Document : public QObject, private DocumentParts {
   /// Sets the growth from `seeds`: a first part of it, or the whole.
   void setGrowth(const RegionFocus& seeds, std::shared_ptr<const segmentation::Growth> growth, bool whole);
   /// The focus becomes the region around a world position, or gets another seed.
-  void growFrom(glm::dvec3 world);
+  void growFrom(glm::dvec3 world, double ball = 0.0);
   void addSeed(glm::dvec3 world, bool inside);
   /// A stroke over the region in the focus, which begins with it where another focus is there; one that takes away
   /// changes a region alone.

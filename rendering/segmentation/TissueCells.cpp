@@ -1,0 +1,147 @@
+#include "rendering/segmentation/TissueCells.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <utility>
+
+#include "rendering/volume/Threads.h"
+
+namespace fenestra::segmentation {
+namespace {
+
+constexpr double mostCells = 3e6;
+constexpr float leastEdge = 1.0f;    ///< units of the noise: edges with less are not sharpened
+constexpr double airBelow = -400.0;  ///< HU
+constexpr double softTissue = 40.0;  ///< HU
+
+/// As even in mm as whole voxels allow, and no more cells than mostCells.
+glm::ivec3 cellSizeOf(const Grid& grid) {
+  const double side = std::cbrt(grid.voxelVolume() * std::max(1.0, static_cast<double>(grid.voxelCount()) / mostCells));
+  glm::ivec3 size;
+  for (int axis = 0; axis < 3; ++axis)
+    size[axis] = std::clamp(static_cast<int>(std::ceil(side / grid.spacing[axis] - 1e-6)), 1, grid.dims[axis]);
+  return size;
+}
+
+/// The mean of the finite real values of a box of voxels; what is not a number counts as the volume's least value.
+double meanOf(auto scalars, const Volume& volume, const VoxelBox& box) {
+  double sum = 0.0;
+  for (int z = box.low.z; z < box.high.z; ++z)
+    for (int y = box.low.y; y < box.high.y; ++y)
+      for (int x = box.low.x; x < box.high.x; ++x) {
+        const double real =
+            volume.slope * static_cast<double>(scalars[volume.grid.offset({x, y, z})]) + volume.intercept;
+        sum += std::isnan(real) ? volume.range.low : std::clamp(real, volume.range.low, volume.range.high);
+      }
+  return sum / static_cast<double>(box.count());
+}
+
+/// The means of the cells as a volume.
+Volume reduced(const Volume& volume, glm::ivec3 size) {
+  Volume cells;
+  cells.grid = volume.grid;
+  cells.grid.dims = (volume.grid.dims + size - 1) / size;
+  cells.grid.spacing = volume.grid.spacing * glm::dvec3(size);
+  cells.modality = volume.modality;
+  cells.unit = volume.unit;
+  cells.windows = volume.windows;
+  cells.voxels = Voxels(ScalarType::Float32, cells.grid.voxelCount());
+  const std::span<float> means = cells.voxels.as<float>();
+  const VoxelBox whole = wholeOf(cells.grid.dims);
+  volume.voxels.visit([&](auto scalars) {
+    const std::size_t row = static_cast<std::size_t>(cells.grid.dims.x);
+    parallelFor(means.size() / row, 1, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin * row; i < end * row; ++i) {
+        const glm::ivec3 low = whole.at(i) * size;
+        const VoxelBox own = VoxelBox{low, low + size}.clippedTo(wholeOf(volume.grid.dims));
+        means[i] = static_cast<float>(meanOf(scalars, volume, own));
+      }
+    });
+  });
+  cells.computeRange();
+  return cells;
+}
+
+/// Each cell on an edge takes the tone of its brightest or darkest neighbour, whichever is nearer: Kramer, Bruckner,
+/// see EdgeSharpener.
+std::vector<float> sharpened(const std::vector<float>& tones, const CellNeighbours& cells) {
+  std::vector<float> low = tones, high = tones, result = tones;
+  cells.forPairs([&](std::size_t a, std::size_t b, int, glm::ivec3) {
+    low[a] = std::min(low[a], tones[b]);
+    high[a] = std::max(high[a], tones[b]);
+    low[b] = std::min(low[b], tones[a]);
+    high[b] = std::max(high[b], tones[a]);
+  });
+  for (std::size_t i = 0; i < result.size(); ++i)
+    if (high[i] - low[i] > leastEdge) result[i] = tones[i] - low[i] < high[i] - tones[i] ? low[i] : high[i];
+  return result;
+}
+
+/// By cell: the neighbour of the least gradient, itself where none has less. Ties go to the first.
+std::vector<std::uint32_t> descents(const std::vector<float>& tones, const CellNeighbours& cells) {
+  std::vector<float> gradient(tones.size(), 0.0f);
+  cells.forPairs([&](std::size_t a, std::size_t b, int, glm::ivec3) {
+    const float difference = std::abs(tones[a] - tones[b]);
+    gradient[a] = std::max(gradient[a], difference);
+    gradient[b] = std::max(gradient[b], difference);
+  });
+  const auto isLower = [&](std::size_t a, std::size_t b) {
+    return gradient[a] < gradient[b] || (gradient[a] == gradient[b] && a < b);
+  };
+  std::vector<std::uint32_t> next(tones.size());
+  std::iota(next.begin(), next.end(), std::uint32_t{0});
+  cells.forPairs([&](std::size_t a, std::size_t b, int, glm::ivec3) {
+    if (isLower(b, next[a])) next[a] = static_cast<std::uint32_t>(b);
+    if (isLower(a, next[b])) next[b] = static_cast<std::uint32_t>(a);
+  });
+  return next;
+}
+
+}  // namespace
+
+TissueCells tissueCells(const Volume& volume) {
+  TissueCells cells;
+  cells.size = cellSizeOf(volume.grid);
+  const Volume means = reduced(volume, cells.size);
+  cells.grid = means.grid;
+  cells.noise = noiseOf(means);
+  const bool isCt = volume.isInHounsfieldUnits();
+  const WindowLevel window = means.defaultWindow();
+  cells.reference = isCt ? softTissue : window.level;
+  const ToneScale scale(means, cells.noise, cells.reference);
+  cells.tones = sharpened(smoothedTones(means, wholeOf(means.grid.dims), scale), CellNeighbours(means.grid));
+  const double air = isCt ? airBelow : window.level - 0.5 * window.width;
+  const std::span<const float> values = means.voxels.as<float>();
+  const auto body = std::count_if(values.begin(), values.end(), [&](float value) { return value >= air; });
+  cells.bodyVolume = static_cast<double>(body) * means.grid.voxelVolume();
+  return cells;
+}
+
+CellNeighbours::CellNeighbours(const Grid& grid)
+    : dims_(grid.dims),
+      steps_{1, static_cast<std::size_t>(dims_.x),
+             static_cast<std::size_t>(dims_.x) * static_cast<std::size_t>(dims_.y)} {
+  for (int axis = 0; axis < 3; ++axis) {
+    const glm::dvec3 a = grid.direction[(axis + 1) % 3] * grid.spacing[(axis + 1) % 3];
+    const glm::dvec3 b = grid.direction[(axis + 2) % 3] * grid.spacing[(axis + 2) % 3];
+    faceArea_[axis] = glm::length(glm::cross(a, b));
+  }
+}
+
+Basins basinsOf(const std::vector<float>& tones, const CellNeighbours& cells) {
+  std::vector<std::uint32_t> next = descents(tones, cells);
+  // The lowest cell of each basin, with ways shortened as they are walked.
+  for (std::uint32_t cell = 0; cell < next.size(); ++cell) {
+    std::uint32_t lowest = cell;
+    while (next[lowest] != lowest) lowest = next[lowest];
+    for (std::uint32_t at = cell; at != lowest;) at = std::exchange(next[at], lowest);
+  }
+  Basins basins{std::vector<std::uint32_t>(next.size()), 0};
+  for (std::uint32_t cell = 0; cell < next.size(); ++cell)
+    if (next[cell] == cell) basins.numbers[cell] = basins.count++;
+  for (std::uint32_t cell = 0; cell < next.size(); ++cell) basins.numbers[cell] = basins.numbers[next[cell]];
+  return basins;
+}
+
+}  // namespace fenestra::segmentation

@@ -1,0 +1,43 @@
+#pragma once
+// Tissues side by side, and the order in which they merge, see TissueTree.
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <unordered_map>
+#include <vector>
+
+#include "rendering/segmentation/TissueCells.h"
+
+namespace fenestra::segmentation {
+
+/// The faces that two tissues have in common.
+struct TissueContact {
+  float area = 0.0f;        ///< mm²
+  float difference = 0.0f;  ///< of the values on both sides, units of the noise times mm²
+};
+
+struct Tissue {
+  double volume = 0.0;   ///< mm³
+  double tones = 0.0;    ///< units of the noise times mm³
+  double surface = 0.0;  ///< mm², without faces of the volume
+  std::unordered_map<std::uint32_t, TissueContact> contacts;
+  double mean() const { return tones / volume; }
+};
+
+/// One tissue a basin.
+std::vector<Tissue> tissuesOf(const TissueCells& cells, const Basins& basins);
+
+/// How far two tissues differ at their border and as a whole, units of the noise.
+float edgeBetween(const Tissue& a, const Tissue& b, const TissueContact& contact);
+
+/// A binary tree of merges. Nodes are numbered from the tissues on, in the order of their merges.
+struct MergeTree {
+  std::vector<std::uint32_t> parents;  ///< by node; UINT32_MAX: none
+  std::vector<float> heights;          ///< by node: cost of its merge, not less than its children's; 0 for tissues
+};
+
+/// Merges the cheapest pair first until no two touch. Empty when `goOn` has returned false.
+std::optional<MergeTree> mergeTissues(std::vector<Tissue> tissues, const std::function<bool(double)>& goOn);
+
+}  // namespace fenestra::segmentation

@@ -1,0 +1,93 @@
+#pragma once
+// The tissues of a volume, found once for all clicks: cells of even value, merged two by two until one is left.
+//
+// The merges form a binary tree (P. Salembier, L. Garrido: Binary partition tree as an efficient representation for
+// image processing, segmentation, and information retrieval, IEEE Transactions on Image Processing 9(4), 2000). Its
+// leaves are the basins of the gradient. Two neighbours merge at the cost
+//
+//   (|difference of their means| + edge) · min(1, √(least volume / 2 ml)) / share^0.35
+//
+// edge: the mean over their common faces of how far the values on both sides differ; share: the common faces' part of
+// the surface of the one that has less. All of the border decides, where a flood passes through its weakest voxel; what
+// is small joins its neighbours before it can be told apart from noise, and two bodies that touch in a neck stay two.
+// The cheapest pair merges first; a pair whose cost has risen meanwhile waits for its turn. The program's own formula.
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "rendering/segmentation/Levels.h"
+#include "rendering/segmentation/TissueCells.h"
+#include "rendering/segmentation/VoxelBox.h"
+#include "rendering/volume/Volume.h"
+
+namespace fenestra::segmentation {
+
+class TissueTree {
+ public:
+  /// Takes about 60 bytes a cell while it runs, and some twelve afterwards. `goOn` is asked now and then with the share
+  /// done; null when it returned false. Deterministic.
+  static std::shared_ptr<const TissueTree> build(const Volume& volume, const std::function<bool(double)>& goOn = {});
+
+  /// The levels at which voxels join a region that starts at the voxels `inside`: that of the least merge which holds a
+  /// seed and the voxel; 0 in a seed's own leaf. A pocket that a region encloses and that is less than half as large
+  /// joins with what encloses it: marrow belongs to its bone, vessels to their lung. A cell on a border holds voxels of
+  /// several leaves: each belongs to the leaf among those around it whose mean is nearest to its own value, smoothed.
+  /// Costs are in units of noise(). Entry i is of voxel i of the volume. Runs on all cores.
+  std::vector<Level> joinsOf(const Volume& volume, std::span<const glm::ivec3> inside) const;
+
+  /// By voxel: 1 in the largest tissues that hold a seed of `outside` and none of `inside`, where one outside is
+  /// nearer. Ways lead from leaf to leaf, and are as long as the edges that they cross are high; in a leaf that holds
+  /// both kinds the distance in space decides.
+  std::vector<std::uint8_t> takenBy(const Volume& volume, std::span<const glm::ivec3> inside,
+                                    std::span<const glm::ivec3> outside) const;
+
+  double noiseUnit() const { return noise_.unit; }   ///< real values
+  double bodyVolume() const { return bodyVolume_; }  ///< mm³ of what is no air
+  std::size_t heldBytes() const;
+
+ private:
+  friend class TissueMerger;
+
+  static constexpr std::uint32_t none = UINT32_MAX;
+
+  struct Neighbour {
+    std::uint32_t leaf;
+    float edge;  ///< units of the noise
+  };
+
+  std::uint32_t leafAt(glm::ivec3 voxel) const;
+  std::span<const Neighbour> neighboursOf(std::uint32_t leaf) const;
+  std::vector<Level> leafJoins(std::span<const glm::ivec3> inside) const;
+  /// By leaf: the greatest level that a way from it to the volume's faces can keep below all along; its own at most.
+  std::vector<Level> enclosures(std::span<const Level> joins) const;
+  void fillPockets(std::vector<Level>& joins) const;
+  /// By leaf: the least sum of edges on a way from a seed.
+  std::vector<float> distancesFrom(std::span<const glm::ivec3> seeds) const;
+  /// By node: whether it holds a seed.
+  std::vector<std::uint8_t> holding(std::span<const glm::ivec3> seeds) const;
+  /// visit(offset of a voxel, its leaf) for all voxels, on all cores. `areAlike` tells of two leaves that it does not
+  /// matter which of them holds a voxel.
+  template <class AreAlike, class Visit>
+  void forVoxels(const Volume& volume, AreAlike areAlike, Visit visit) const;
+  template <class AreAlike, class Visit>
+  void forTile(const Volume& volume, const ToneScale& scale, const VoxelBox& tile, AreAlike areAlike,
+               Visit visit) const;
+
+  glm::ivec3 cellSize_{1};  ///< voxels
+  glm::ivec3 cells_{0};     ///< cells along each axis
+  Noise noise_;
+  double reference_ = 0.0, bodyVolume_ = 0.0;
+  std::vector<std::uint32_t> leaves_;          ///< by cell
+  std::vector<float> means_;                   ///< by leaf: tone
+  std::vector<float> volumes_;                 ///< by leaf, mm³
+  std::vector<std::uint8_t> isAtFace_;         ///< by leaf: whether it touches a face of the volume
+  std::vector<std::uint32_t> firstNeighbour_;  ///< by leaf, and one more: where its neighbours begin
+  std::vector<Neighbour> neighbours_;
+  std::vector<std::uint32_t> parents_;  ///< by node, leaves first; a parent comes after its children; none: the last
+  std::vector<float> heights_;          ///< by node: cost of its merge, not less than its children's; 0 for leaves
+};
+
+}  // namespace fenestra::segmentation
