@@ -98,6 +98,8 @@ class MainWindow : public QMainWindow {
   void connectModels();
   void connectViews();
   void connectPanels();
+  /// Where the region is too large to open to it by itself.
+  void askToOpenRegion();
   void connectLoader();
   void restoreLayout();
   void applyPreference(Preference which);

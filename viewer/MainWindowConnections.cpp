@@ -1,6 +1,7 @@
 // How the parts of the window are joined: who listens to whom.
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
 
 #include "viewer/MainWindow.h"
@@ -44,7 +45,8 @@ void MainWindow::connectViews() {
   connect(&grower_, &RegionGrower::failed, this,
           [this](const QString& message) { notices_->addError(NoticeBar::Subject::Region, message); });
   connect(&workspace_.document, &Document::focusChanged, this, [this] {
-    if (workspace_.document.isWhole()) notices_->end(NoticeBar::Subject::Region);
+    notices_->end(NoticeBar::Subject::Region);
+    askToOpenRegion();
   });
   connect(views_, &ViewArea::menuRequested, this,
           [this](glm::dvec3 world, QPoint at) { showStructureMenu(workspace_, world, at); });
@@ -71,6 +73,18 @@ void MainWindow::connectViews() {
           notices_->add(NoticeBar::Kind::Warning, NoticeBar::Subject::Study, notice + QLatin1Char('.'));
       },
       Qt::QueuedConnection);
+}
+
+void MainWindow::askToOpenRegion() {
+  Document& document = workspace_.document;
+  if (!document.asksToOpen()) return;
+  notices_->add(
+      NoticeBar::Kind::Offer, NoticeBar::Subject::Region,
+      tr("The region is %1, which is %2 % of the body. The slices show its outline; open the 3-D views to it?")
+          .arg(volumeText(document.regionVolume() / 1000.0))
+          .arg(std::lround(100.0 * *document.regionShareOfBody())),
+      {{tr("Open to it"), [&document] { document.openToRegion(); }, true},
+       {tr("Take it back"), [this] { grower_.cancel(); }, true}});
 }
 
 void MainWindow::connectPanels() {

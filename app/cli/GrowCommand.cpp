@@ -10,6 +10,7 @@
 #include "io/study/GrowRegion.h"
 #include "io/study/ReadStudy.h"
 #include "rendering/segmentation/Mask.h"
+#include "rendering/segmentation/RegionFacts.h"
 
 namespace fenestra::cli {
 namespace {
@@ -42,6 +43,15 @@ Json curveOf(const Growth& growth) {
   return {{"tolerance", std::move(tolerances)}, {"volume_ml", std::move(volumes)}};
 }
 
+void warnOfShare(const std::optional<double>& share) {
+  if (!share || *share <= largeShareOfBody) return;
+  printWarnings(
+      {{io::Warning::Kind::Other,
+        "the region is " + std::to_string(std::lround(100.0 * *share)) +
+            " % of the body, hardly one structure: lower --tolerance, bound it by --ball, or add an --outside",
+        {}}});
+}
+
 }  // namespace
 
 void grow(const GrowOptions& options) {
@@ -54,6 +64,8 @@ void grow(const GrowOptions& options) {
   const Mask mask = maskAt(growth, step);
   io::writeLabels(*labelMapOf(mask, {1, "region", regionColour}), options.output, {.series = study.series.files},
                   progressOnTerminal());
+  const std::optional<double> share = shareOfBody(growth, step);
+  warnOfShare(share);
   Json plateaus = Json::array();
   for (const Plateau& plateau : growth.curve.plateaus) plateaus.push_back(describe(growth, plateau));
   Json json{
@@ -67,6 +79,7 @@ void grow(const GrowOptions& options) {
       {"volume_ml", volumeOf(mask) / mm3PerMl},
       {"voxels", std::lround(volumeOf(mask) / volume.grid.voxelVolume())},
       {"plateaus", std::move(plateaus)},
+      {"share_of_body", share ? Json(*share) : Json(nullptr)},
   };
   if (options.curve) json["curve"] = curveOf(growth);
   printJson(json);

@@ -18,7 +18,9 @@ Focus stepsInFocus(const RegionFocus& region, const Growth& growth) {
 
 void DrawnScene::update(const SetScene& set, const Growth* growth) {
   Scene whole = sceneOf(set);
-  if (const auto* region = std::get_if<RegionFocus>(&set.look.focus)) {
+  const auto* region = std::get_if<RegionFocus>(&set.look.focus);
+  if (growth || !region) isRegion_ = region;
+  if (region) {
     if (!set.labels) whole.look.labels.clear();
     whole.structures = set.labels;
     whole.labels = growth ? growth->steps : labels_;

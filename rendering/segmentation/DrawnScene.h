@@ -17,12 +17,18 @@ class DrawnScene {
   void update(const SetScene& set, const Growth* growth);
 
   const Scene& scene() const { return scene_; }
+  /// The focus that shows, in labels() before anything is carved out of them.
+  const Focus& focus() const { return focus_; }
+  const std::shared_ptr<const LabelMap>& labels() const { return labels_; }
+  /// It is a region: labels() are the steps of its growth.
+  bool showsRegion() const { return isRegion_; }
 
  private:
   Scene scene_;
   Sculptor sculptor_;
   std::shared_ptr<const LabelMap> labels_;  ///< of the last update, before carving
   Focus focus_;                             ///< in those labels
+  bool isRegion_ = false;
 };
 
 }  // namespace fenestra::segmentation

@@ -2,27 +2,9 @@
 
 #include <algorithm>
 
+#include "rendering/segmentation/RegionFacts.h"
+
 namespace fenestra::segmentation {
-namespace {
-
-/// HU: darker lung is counted as air, too (Gevenois et al., American Journal of Respiratory and Critical Care Medicine
-/// 152(2), 1995).
-constexpr double airThreshold = -950.0;
-/// Where values are no Hounsfield units, the lowest share of their range that counts as air.
-constexpr double airShare = 0.02;
-
-bool isAir(const Volume& volume, glm::ivec3 voxel) {
-  double sum = 0.0;
-  for (int i = 0; i < 27; ++i) {
-    const glm::ivec3 neighbour = voxel + glm::ivec3(i % 3, i / 3 % 3, i / 9) - 1;
-    sum += volume.value(glm::clamp(neighbour, glm::ivec3(0), volume.grid.dims - 1));
-  }
-  const double mean = sum / 27.0;
-  if (volume.isInHounsfieldUnits()) return mean < airThreshold;
-  return !(mean > volume.range.low + airShare * (volume.range.high - volume.range.low));  // NaN is air
-}
-
-}  // namespace
 
 PickedStructure pickedStructure(const Scene& scene, glm::dvec3 pick, const Progress& progress) {
   PickedStructure picked;

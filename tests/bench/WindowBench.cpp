@@ -2,8 +2,9 @@
 // mouse at 60 events a second, lets go, drags the transfer function, opens the list of presets, and places the cameras.
 // Writes one JSON object: new pictures a second of each view, longest gap between two, times until the pictures at
 // rest, and the longest time that one event kept the window's thread busy, with what of it the thread itself worked:
-// the rest it waited, for another program on a busy machine. With --grow L,P,S it clicks there, and moves the tolerance
-// of the region that grows. Needs a display with OpenGL. Takes the options of a scene, --window WIDTHxHEIGHT and
+// the rest it waited, for another program on a busy machine. With --grow L,P,S it clicks there, moves the tolerance of
+// the region that grows, and turns it, also as a label. Needs a display with OpenGL. Takes the options of a scene,
+// --window WIDTHxHEIGHT and
 // --seconds.
 
 #include <algorithm>
@@ -142,6 +143,7 @@ class Bench {
     axial->repaint();
     Json result{{"first_region_ms", now() - clicked}};
     waitUntil([&] { return document.isWhole(); });
+    window_.workspace().document.openToRegion();
     axial->repaint();
     result["whole_ms"] = now() - clicked;
     result["blocks_while_growing"] = takeBlocks();
@@ -152,6 +154,13 @@ class Bench {
     result["ml"] = document.growth()->curve.volume[static_cast<std::size_t>(document.regionStep())] / 1000.0;
     result["tolerance"] = changeTolerance();
     result["drag"] = dragTolerance();
+    result["turn_region"] = turn(0);
+    // The region as a label: it has to turn as fast.
+    RegionPanel* panel = window_.findChild<RegionPanel*>();
+    panel->keep()->click();
+    waitUntil([&] { return std::holds_alternative<LabelFocus>(document.focus()); });
+    waitUntilDrawn();
+    result["turn_label"] = turn(0);
     return result;
   }
 

@@ -113,6 +113,17 @@ TEST_F(Grow, AnOutsideSeedHoldsTheRegionBack) {
   EXPECT_EQ(json()["outside"].size(), 2u);
 }
 
+TEST_F(Grow, WarnsOfALargeShareOfTheBody) {
+  ASSERT_EQ(run("grow", "--seed " + kidney + toFile()), 0);
+  EXPECT_LT(json()["share_of_body"], 0.15);
+  EXPECT_EQ(contents("error").find("of the body"), std::string::npos);
+  ASSERT_EQ(run("grow", "--tolerance 2000 --seed " + kidney + toFile()), 0);
+  EXPECT_GT(json()["share_of_body"], 0.15);
+  EXPECT_NE(contents("error").find("% of the body"), std::string::npos) << contents("error");
+  ASSERT_EQ(run("grow", "--tolerance 2000 --ball 30 --seed " + kidney + toFile()), 0);
+  EXPECT_LT(json()["volume_ml"], 1.1 * 4.0 / 3.0 * 3.1416 * 27.0);
+}
+
 TEST_F(Grow, NamesWhatIsWrong) {
   expectFailure("--seed 1000,0,0" + toFile(), "does not reach to the seed 1000,0,0");
   expectFailure("--seed " + kidney + " --outside 0,0,-999" + toFile(), "does not reach to the point outside, 0,0,-999");

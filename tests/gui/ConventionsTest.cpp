@@ -498,6 +498,16 @@ void Conventions::addEditorGestures(Cases& cases) {
 
 void Conventions::addGesturesOfAllViews(Cases& cases) {
   const std::string region = "A grown region, in all views: ";
+  cases[region + "Shift+drag"] = [this] {
+    cursor().moveTo(markerCentre);
+    const WindowLevel window = document().window();
+    drag(axial(), at(markerCentre), at(markerCentre + glm::dvec3(12, 0, 0)), Qt::LeftButton, Qt::ShiftModifier);
+    ASSERT_TRUE(document().region());
+    EXPECT_NEAR(document().region()->ball, 12.0, 1.0);
+    EXPECT_EQ(document().window(), window);
+    document().setFocus(std::monostate{});
+    waitUntilDrawn();
+  };
   cases[region + "Shift+click"] = cases[region + "Ctrl+click"] = cases[region + "Alt+wheel"] = [this] {
     cursor().moveTo(markerCentre);
     document().growFrom(markerCentre);

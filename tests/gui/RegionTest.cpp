@@ -12,6 +12,7 @@
 #include "viewer/jobs/LabelEditor.h"
 #include "viewer/jobs/RegionGrower.h"
 #include "viewer/model/Document.h"
+#include "viewer/model/RegionText.h"
 #include "viewer/model/StructureClick.h"
 
 namespace fenestra::viewer {
@@ -19,22 +20,22 @@ namespace {
 
 constexpr int patience = 30000;  ///< ms; reached only when something hangs
 
-/// Two balls of value 500 in 100, with noise, 150×60×60 voxels of 1 mm: the second lies beyond previewBox.
+/// Two balls of value 500 in 100, with noise, 150×60×60 voxels of 1 mm: the second lies beyond previewBox().
 const glm::dvec3 left(30.0, 30.0, 30.0), right(115.0, 30.0, 30.0);
 constexpr double radius = 16.0;
 
-io::Study twoBalls() {
+io::Study study(glm::ivec3 dims, const std::vector<glm::dvec3>& balls, double ballRadius) {
   auto volume = std::make_shared<Volume>();
-  volume->grid.dims = {150, 60, 60};
+  volume->grid.dims = dims;
   volume->voxels = Voxels(ScalarType::Int16, volume->grid.voxelCount());
   std::mt19937 random(7);
   std::normal_distribution<double> noise(0.0, 10.0);
   auto values = volume->voxels.as<std::int16_t>();
-  for (int z = 0; z < 60; ++z)
-    for (int y = 0; y < 60; ++y)
-      for (int x = 0; x < 150; ++x) {
-        const glm::dvec3 at(x, y, z);
-        const double value = std::min(glm::distance(at, left), glm::distance(at, right)) < radius ? 500.0 : 100.0;
+  for (int z = 0; z < dims.z; ++z)
+    for (int y = 0; y < dims.y; ++y)
+      for (int x = 0; x < dims.x; ++x) {
+        const auto holds = [&](glm::dvec3 ball) { return glm::distance(glm::dvec3(x, y, z), ball) < ballRadius; };
+        const double value = std::any_of(balls.begin(), balls.end(), holds) ? 500.0 : 100.0;
         values[volume->grid.offset({x, y, z})] = static_cast<std::int16_t>(value + noise(random));
       }
   volume->computeRange();
@@ -43,6 +44,12 @@ io::Study twoBalls() {
   made.scene.look.context.function.nodes = {{200.0, {glm::dvec3(1.0), 0.0}}, {300.0, {glm::dvec3(1.0), 1.0}}};
   return made;
 }
+
+io::Study twoBalls() { return study({150, 60, 60}, {left, right}, radius); }
+
+/// A ball of 24 mm: a fifth of the volume.
+const glm::dvec3 largeCentre(30.0, 30.0, 30.0);
+io::Study largeBall() { return study({60, 60, 76}, {largeCentre}, 24.0); }
 
 class Regions : public testing::Test {
  protected:
@@ -171,6 +178,146 @@ TEST_F(Regions, WhatSurroundsTheStructuresIsNoRegion) {
   EXPECT_EQ(failures.count(), 1);
   EXPECT_FALSE(document_.region());
   EXPECT_FALSE(document_.undoStack().canUndo());
+}
+
+TEST_F(Regions, TheFocusBeforeStaysWholeUntilTheRegionIs) {
+  document_.setFocus(ValueFocus{.values = {400.0, 600.0}});
+  const Focus before = document_.scene().look.focus;
+  bool hadPart = false;
+  const auto watch = QObject::connect(&document_, &Document::focusChanged, &grower_, [&] {
+    if (document_.isWhole()) return;
+    hadPart = hadPart || document_.growth();
+    EXPECT_EQ(document_.scene().look.focus, before);
+  });
+  click(left);
+  EXPECT_EQ(document_.scene().look.focus, before);
+  waitUntilGrown();
+  QObject::disconnect(watch);
+  EXPECT_TRUE(hadPart) << "for the slices' outline";
+  EXPECT_NEAR(shownVolume(), ball, 0.05 * ball);
+  // The same from region to region.
+  click(right);
+  EXPECT_NEAR(shownVolume(), ball, 0.05 * ball);
+  EXPECT_FALSE(document_.showsGrowth());
+  grower_.cancel();
+  EXPECT_EQ(document_.region()->inside.front(), left);
+  EXPECT_TRUE(document_.showsGrowth());
+}
+
+TEST_F(Regions, ALargeRegionAsksBeforeThePicturesOpenToIt) {
+  document_.open(largeBall());
+  document_.setFocus(ValueFocus{.values = {400.0, 600.0}});
+  const Focus before = document_.focus();
+  click(largeCentre);
+  waitUntilGrown();
+  ASSERT_TRUE(document_.asksToOpen());
+  EXPECT_GT(document_.regionShareOfBody(), segmentation::largeShareOfBody);
+  EXPECT_EQ(document_.scene().look.focus, before);
+  document_.openToRegion();
+  EXPECT_FALSE(document_.asksToOpen());
+  EXPECT_GT(shownVolume(), 40000.0);
+  document_.undoStack().undo();
+  document_.undoStack().redo();
+  EXPECT_TRUE(document_.showsGrowth()) << "it asks once";
+  click(largeCentre + 2.0, Qt::ShiftModifier);
+  waitUntilGrown();
+  EXPECT_TRUE(document_.showsGrowth()) << "a correction that hardly enlarges it is no reason to ask again";
+
+  document_.setFocus(before);
+  click(largeCentre + 5.0);
+  waitUntilGrown();
+  ASSERT_TRUE(document_.asksToOpen()) << "another region";
+  document_.setTolerance(0.0);
+  EXPECT_FALSE(document_.asksToOpen()) << "smaller";
+  document_.setTolerance(std::nullopt);
+  EXPECT_TRUE(document_.showsGrowth()) << "the user's own doing";
+  document_.setFocus(before);
+  click(largeCentre - 5.0);
+  waitUntilGrown();
+  ASSERT_TRUE(document_.asksToOpen());
+  grower_.cancel();
+  EXPECT_EQ(document_.focus(), before);
+}
+
+TEST_F(Regions, TheTissuesAreFoundOnce) {
+  click(left);
+  waitUntilGrown();
+  const auto tissues = document_.growth()->tissues;
+  ASSERT_TRUE(tissues);
+  EXPECT_EQ(document_.region()->rule, RegionRule::Tissues);
+  document_.setFocus(std::monostate{});
+  click(right);
+  waitUntilGrown();
+  EXPECT_EQ(document_.growth()->tissues, tissues);
+  document_.open(twoBalls());
+  click(left);
+  waitUntilGrown();
+  EXPECT_NE(document_.growth()->tissues, tissues) << "another study";
+}
+
+TEST_F(Regions, ABallBoundsTheRegion) {
+  document_.growFrom(left, 8.0);
+  waitUntilGrown();
+  const double bound = ball / 8.0;
+  EXPECT_NEAR(shownVolume(), bound, 0.1 * bound);
+  document_.setBall(12.0);
+  waitUntilGrown();
+  EXPECT_NEAR(shownVolume(), bound * 3.375, 0.35 * bound);
+  document_.setBall(0.0);
+  waitUntilGrown();
+  EXPECT_NEAR(shownVolume(), ball, 0.05 * ball);
+  document_.undoStack().undo();
+  EXPECT_EQ(document_.region()->ball, 12.0);
+  EXPECT_TRUE(document_.isWhole());
+}
+
+TEST_F(Regions, SaysWhatItIs) {
+  EXPECT_FALSE(document_.regionFacts());
+  click(left);
+  waitUntilGrown();
+  const std::optional<segmentation::RegionFacts> facts = document_.regionFacts();
+  ASSERT_TRUE(facts);
+  EXPECT_NEAR(facts->volume, shownVolume(), 1.0);
+  EXPECT_NEAR(facts->mean, 500.0, 10.0);
+  EXPECT_NEAR(facts->deviation, 10.0, 5.0);
+  EXPECT_EQ(facts->border, segmentation::Border::Clear);
+  ASSERT_TRUE(facts->leak);
+  EXPECT_GT(facts->leak->volume, 5.0 * facts->volume);
+  EXPECT_GT(facts->leak->tolerance, 100.0);
+  EXPECT_GT(facts->leak->towards.x, 0.9) << "most of the rest lies to the left";
+  const QStringList sentences = regionSentences(*facts, "HU");
+  ASSERT_EQ(sentences.size(), 3);
+  EXPECT_TRUE(sentences[0].contains(QLatin1String(" HU"))) << sentences[0].toStdString();
+  EXPECT_TRUE(sentences[1].startsWith(QLatin1String("Its border is clear"))) << sentences[1].toStdString();
+  EXPECT_TRUE(sentences[2].endsWith(QLatin1String("towards the left."))) << sentences[2].toStdString();
+  // Beyond the leak it is everything, on no plateau of its own, and nothing is left to leak into.
+  document_.setTolerance(10000.0);
+  EXPECT_FALSE(document_.regionFacts()->leak);
+  document_.paintSelection({{right}, 5.0});
+  waitUntilGrown();
+  EXPECT_TRUE(document_.regionFacts());
+}
+
+TEST(RegionText, NamesDirectionsInThePatient) {
+  EXPECT_EQ(directionText({0.0, 0.0, 1.0}), "towards the head");
+  EXPECT_EQ(directionText({0.0, 0.6, -0.8}), "towards the feet and the back");
+  EXPECT_EQ(directionText({-0.9, -0.1, 0.4}), "towards the right");
+  EXPECT_EQ(directionText({0.0, -1.0, 0.0}), "towards the front");
+  EXPECT_EQ(directionText(glm::dvec3(0.0)), "on all sides");
+}
+
+TEST_F(Regions, WithoutGrowingAClickLeavesTheFocusAlone) {
+  clickStructure(document_, left, {}, false);
+  EXPECT_FALSE(document_.region());
+  click(left);
+  waitUntilGrown();
+  editor_.keepRegion(QStringLiteral("left"), glm::dvec3(0.5));
+  waitUntilEdited();
+  document_.setFocus(std::monostate{});
+  clickStructure(document_, left, {}, false);
+  EXPECT_TRUE(std::holds_alternative<std::monostate>(document_.focus())) << "labels as regions";
+  clickStructure(document_, left, Qt::ControlModifier, false);
+  EXPECT_TRUE(document_.isFocused(1));
 }
 
 TEST_F(Regions, OnlyTheLastOfManyQuickClicksIsGrown) {

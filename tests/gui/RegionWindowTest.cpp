@@ -1,6 +1,8 @@
 // The first minute without labels: data is opened, a structure clicked, the region corrected, all by mouse and keys.
 
 #include <QApplication>
+#include <QMouseEvent>
+#include <QPainter>
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QStatusBar>
@@ -291,6 +293,99 @@ TEST_F(RegionWindow, ErasingAllIsRefused) {
   document().setFocus({});
   document().paintSelection({{glm::dvec3(0.0)}, 20.0, 0.0, false});
   EXPECT_FALSE(document().region()) << "there is nothing to take from";
+}
+
+TEST_F(RegionWindow, AShiftDragDrawsTheBallThatBoundsARegion) {
+  const glm::dvec3 inBody(-10.0, 10.0, 17.0);
+  cursor().moveTo(inBody);
+  waitUntilDrawn();
+  SliceView* axial = slice(SlicePlane::Axial);
+  const std::array<QImage, 2> before{picture(volume(0)), picture(slice(SlicePlane::Coronal))};
+  const QPoint from = axial->widgetFromWorld(inBody).toPoint();
+  const QPoint to = axial->widgetFromWorld(inBody + glm::dvec3(15.0, 0.0, 0.0)).toPoint();
+  const WindowLevel window = document().window();
+  QTest::mousePress(axial, Qt::LeftButton, Qt::ShiftModifier, from);
+  QMouseEvent move(QEvent::MouseMove, to, axial->mapToGlobal(to), Qt::NoButton, Qt::LeftButton, Qt::ShiftModifier);
+  QApplication::sendEvent(axial, &move);
+  ASSERT_TRUE(window_->workspace().ball.ball());
+  EXPECT_NEAR(window_->workspace().ball.ball()->radius, 15.0, 1.0);
+  EXPECT_NE(picture(volume(0)), before[0]) << "its ring shows in all views";
+  EXPECT_NE(picture(slice(SlicePlane::Coronal)), before[1]);
+  QTest::mouseRelease(axial, Qt::LeftButton, Qt::ShiftModifier, to);
+  EXPECT_FALSE(window_->workspace().ball.ball());
+  EXPECT_EQ(document().window(), window);
+  ASSERT_TRUE(document().region());
+  EXPECT_NEAR(document().region()->ball, 15.0, 1.0);
+  waitUntilGrown();
+  EXPECT_LT(size(), 1.1 * 4.0 / 3.0 * 3.1416 * 15.0 * 15.0 * 15.0 / 1000.0);
+  EXPECT_TRUE(region().ball()->isVisible());
+  region().ball()->setValue(10.0);
+  waitUntilGrown();
+  EXPECT_EQ(document().region()->ball, 10.0);
+  QTest::mouseClick(region().noBall(), Qt::LeftButton);
+  EXPECT_EQ(document().region()->ball, 0.0);
+  waitUntilGrown();
+  EXPECT_FALSE(region().ball()->isVisible());
+
+  // In 3-D, where the plain drag turns.
+  const Camera camera = cameras().camera(0);
+  const QPoint front = volume(0)->widgetFromWorld({0.0, -44.0, 0.0})->toPoint();
+  drag(volume(0), front, front + QPoint(40, 0), Qt::LeftButton, Qt::ShiftModifier);
+  EXPECT_EQ(cameras().camera(0), camera);
+  EXPECT_GT(document().region()->ball, 1.0);
+  waitUntilGrown();
+  // Without the tool it is the view's drag.
+  options().setGrows(false);
+  const RegionFocus drawn = *document().region();
+  drag(volume(0), front, front + QPoint(40, 0), Qt::LeftButton, Qt::ShiftModifier);
+  EXPECT_NE(cameras().camera(0), camera);
+  EXPECT_EQ(*document().region(), drawn);
+}
+
+TEST_F(RegionWindow, ALargeRegionAsksAndTheFocusBeforeShows) {
+  document().setFocus(ValueFocus{.values = {800.0, 1000.0}});
+  waitUntilDrawn();
+  const Scene before = document().scene();
+  clickSlice({-10.0, 10.0, 17.0});
+  ASSERT_TRUE(QTest::qWaitFor([&] { return document().isWhole(); }, patience));
+  ASSERT_TRUE(document().asksToOpen()) << "the ball is the body";
+  EXPECT_EQ(document().scene(), before);
+  EXPECT_EQ(window_->notices().texts().size(), 1);
+  EXPECT_TRUE(region().open()->isVisible());
+  EXPECT_TRUE(region().facts()->text().contains(QLatin1String("of the body")));
+  QTest::keyClick(window_.get(), Qt::Key_Escape);
+  EXPECT_TRUE(std::holds_alternative<ValueFocus>(document().focus()));
+  EXPECT_TRUE(window_->notices().texts().isEmpty());
+
+  clickSlice({-10.0, 10.0, 17.0});
+  ASSERT_TRUE(QTest::qWaitFor([&] { return document().asksToOpen(); }, patience));
+  QTest::mouseClick(region().open(), Qt::LeftButton);
+  EXPECT_FALSE(document().asksToOpen());
+  EXPECT_FALSE(region().open()->isVisible());
+  EXPECT_TRUE(window_->notices().texts().isEmpty());
+  EXPECT_NE(document().scene(), before);
+}
+
+TEST_F(RegionWindow, SlicesKeepTheFocusBeforeUntilTheRegionIsWhole) {
+  QTest::keyClick(window_.get(), Qt::Key_C);
+  cursor().moveTo(markerCentre);
+  document().setFocus(ValueFocus{.values = {800.0, 1000.0}});
+  waitUntilDrawn();
+  options().setText(false);
+  const auto focusOf = [&](SliceView* view) {
+    QImage image(view->size(), QImage::Format_RGB32);
+    QPainter painter(&image);
+    view->draw(painter, false);
+    return image;
+  };
+  const QImage before = focusOf(slice(SlicePlane::Coronal));
+  clickSlice(markerCentre);
+  ASSERT_TRUE(document().awaitsGrowth());
+  ASSERT_FALSE(document().growth());
+  EXPECT_EQ(focusOf(slice(SlicePlane::Coronal)), before);
+  waitUntilGrown();
+  EXPECT_NE(focusOf(slice(SlicePlane::Coronal)), before);
+  EXPECT_TRUE(region().facts()->text().startsWith(QLatin1String("Values: "))) << region().facts()->text().toStdString();
 }
 
 TEST_F(RegionWindow, EscapeTakesAGrowingRegionBack) {

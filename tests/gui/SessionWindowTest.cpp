@@ -434,6 +434,30 @@ TEST_F(SessionWindow, AGrownRegionIsGrownAgain) {
   EXPECT_FALSE(window_->isWindowModified());
 }
 
+TEST_F(SessionWindow, ARegionWithinABallIsGrownAgain) {
+  options().setGrows(true);
+  document().setLabels(nullptr);
+  cursor().moveTo(markerCentre);
+  SliceView* axial = slice(SlicePlane::Axial);
+  const auto at = [&](double x) { return axial->widgetFromWorld(markerCentre + glm::dvec3(x, 0.0, 0.0)).toPoint(); };
+  drag(axial, at(0.0), at(5.0), Qt::LeftButton, Qt::ShiftModifier);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return document().isWhole(); }, patience));
+  waitUntilDrawn();
+  const RegionFocus region = *document().region();
+  EXPECT_NEAR(region.ball, 5.0, 1.0);
+  EXPECT_EQ(region.rule, RegionRule::Tissues);
+  const double volume = document().regionVolume();
+  const std::vector<QImage> before = pictures();
+  save(file_);
+  expectCommandLineAgrees();
+  restart();
+  open(file_);
+  ASSERT_TRUE(document().region());
+  EXPECT_EQ(*document().region(), region);
+  EXPECT_EQ(document().regionVolume(), volume);
+  EXPECT_EQ(pictures(), before);
+}
+
 TEST_F(SessionWindow, KeptLabelsAreWrittenBesideTheSession) {
   // A file of the user's own of the name that the labels would get.
   std::ofstream(folder_ / "work.labels.nrrd") << "mine";

@@ -176,7 +176,7 @@ std::map<std::string, SettingOwnersWindow::Probe> SettingOwnersWindow::probes() 
         [this] {
           return !options().crosshair() && !options().text() && !options().labels() && !options().measures();
         }}},
-      {"Click grows a region", {[this] { options().setGrows(false); }, [this] { return !options().grows(); }}},
+      {"Click chooses the focus", {[this] { options().setGrows(false); }, [this] { return !options().grows(); }}},
       {"Size and softness of brushes",
        {[this, brushed] { brush().setSettings(brushed); }, [this, brushed] { return brush().settings() == brushed; }}},
       {"Hide the patient", {[this] { options().setHidesPatient(true); }, [this] { return options().hidesPatient(); }}},

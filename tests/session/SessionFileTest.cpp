@@ -54,6 +54,10 @@ TEST(SessionFile, ARegionComesBackToTheBit) {
     session.look.focus = RegionFocus{{{0.1, -1.0 / 7.0, 1e-17}, {1.0, 2.0, 3.0}}, {{-0.3, 4.0, 5.0}}, tolerance};
     io::writeSession(folder / "a.fenestra", session);
     EXPECT_EQ(io::readSession(folder / "a.fenestra"), session);
+    std::get<RegionFocus>(session.look.focus).rule = RegionRule::Tissues;
+    std::get<RegionFocus>(session.look.focus).ball = 10.0 / 3.0;
+    io::writeSession(folder / "a.fenestra", session);
+    EXPECT_EQ(io::readSession(folder / "a.fenestra"), session);
   }
   io::Session session = fullSession(folder);
   session.look.focus = RegionFocus{{}, {{1.0, 2.0, 3.0}}, {}};

@@ -101,7 +101,7 @@ void Actions::stop() {
     targets_.pictures.cancel();
   else if (targets_.verification.isBusy())
     targets_.verification.cancel();
-  else if (targets_.grower.isGrowing())
+  else if (targets_.grower.isGrowing() || targets_.workspace.document.asksToOpen())
     targets_.grower.cancel();
   else if (targets_.workspace.placement.isBusy())
     targets_.workspace.placement.cancel();

@@ -135,7 +135,7 @@ void Actions::makeFocusMenu() {
 void Actions::addRegionEntries(QMenu& menu) {
   Document& document = targets_.workspace.document;
   ViewOptions& options = targets_.workspace.options;
-  QAction* grows = toggle(tr("&Click grows a region"), QKeySequence(tr("G")), options.grows(),
+  QAction* grows = toggle(tr("&Click chooses the focus"), QKeySequence(tr("G")), options.grows(),
                           [&options](bool on) { options.setGrows(on); });
   grows->setIcon(icon("grow"));
   connect(&options, &ViewOptions::changed, grows, [&options, grows] { grows->setChecked(options.grows()); });

@@ -48,6 +48,8 @@ inline constexpr auto gestures = std::to_array<Gesture>({
      QT_TRANSLATE_NOOP("Dialogs", "add what is there to the region")},
     {"A grown region, in all views", QT_TRANSLATE_NOOP("Dialogs", "Ctrl+click"),
      QT_TRANSLATE_NOOP("Dialogs", "take what is there away from the region")},
+    {"A grown region, in all views", QT_TRANSLATE_NOOP("Dialogs", "Shift+drag"),
+     QT_TRANSLATE_NOOP("Dialogs", "draw a ball around a structure: the region that grows there stays within it")},
     {"A grown region, in all views", QT_TRANSLATE_NOOP("Dialogs", "Alt+wheel"),
      QT_TRANSLATE_NOOP("Dialogs", "tolerance")},
     {QT_TRANSLATE_NOOP("Dialogs", "Painting the region, in all views"), QT_TRANSLATE_NOOP("Dialogs", "Drag"),

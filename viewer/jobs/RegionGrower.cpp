@@ -4,8 +4,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "rendering/segmentation/RegionGrowing.h"
-#include "viewer/model/Document.h"
+#include "rendering/segmentation/RegionFacts.h"
 
 namespace fenestra::viewer {
 namespace {
@@ -13,10 +12,11 @@ namespace {
 using segmentation::Growth;
 
 constexpr double firstShare = 0.05;  ///< of the progress, for a first part
+constexpr double tissueShare = 0.5;  ///< of the progress, until the volume's tissues are found
 
 /// A first part that fills more than this of its box shows no structure.
 constexpr double mostOfPart = 0.9;
-/// A region that fills more than this of the volume is what surrounds a body. It would hide all else.
+/// A region that fills more than this of the volume is no structure. It would hide all else.
 constexpr double mostOfVolume = 0.5;
 
 /// The share of the volume's box that a region fills.
@@ -25,24 +25,20 @@ double shareOf(const Growth& growth, const RegionFocus& region) {
   return growth.curve.volume[static_cast<std::size_t>(growth.stepOf(region))] / box;
 }
 
-std::shared_ptr<const Growth> grow(const Volume& volume, const RegionFocus& seeds, const segmentation::VoxelBox& reach,
-                                   const segmentation::Progress& progress) {
-  std::optional<Growth> growth = segmentation::growRegion(volume, seeds, reach, progress);
-  if (!growth) throw io::Cancelled();
-  return std::make_shared<const Growth>(std::move(*growth));
-}
-
-/// A region that was grown, with more strokes over it.
-std::shared_ptr<const Growth> paint(const std::pair<RegionFocus, std::shared_ptr<const Growth>>& before,
-                                    const RegionFocus& wanted, const Volume& volume) {
-  return std::make_shared<const Growth>(*segmentation::paintedOn(*before.second, before.first, wanted, volume));
+/// Calls `inside` with fractions that run from `begin` to `end`.
+segmentation::Progress part(const io::Progress& inside, double begin, double end) {
+  return
+      [&inside, begin, end](double fraction) { return inside(std::lerp(begin, end, fraction), "Growing the region"); };
 }
 
 }  // namespace
 
 RegionGrower::RegionGrower(Document& document, QObject* parent) : QObject(parent), document_(document) {
   connect(&document, &Document::focusChanged, this, &RegionGrower::follow);
-  connect(&document, &Document::volumeChanged, this, &RegionGrower::follow);
+  connect(&document, &Document::volumeChanged, this, [this] {
+    tissues_.reset();
+    follow();
+  });
   connect(&job_, &LoadJob::failed, this, [this](const QString& message) {
     takeBack();
     Q_EMIT failed(message);
@@ -60,7 +56,8 @@ void RegionGrower::follow() {
     wanted_.reset();
     starts_ = false;
     job_.cancel();
-    before_ = document_.focus();
+    if (!document_.asksToOpen()) before_ = document_.focus();
+    if (document_.growth() && document_.growth()->tissues) tissues_ = document_.growth()->tissues;
     return;
   }
   if (wanted_ && segmentation::haveSameSeeds(*wanted_, *document_.region())) return;
@@ -72,52 +69,90 @@ void RegionGrower::follow() {
 }
 
 void RegionGrower::start() {
+  Task task{document_.study().scene.volume, *wanted_, false, tissues_, document_.grownBefore(*wanted_)};
   // A further seed changes a region that shows as a whole; a first part of it would be less than that.
-  const bool isNew =
-      !std::holds_alternative<RegionFocus>(before_) || std::get<RegionFocus>(before_).origin() != wanted_->origin();
-  job_.start([this, seeds = *wanted_, volume = document_.study().scene.volume, before = document_.grownBefore(*wanted_),
-              isNew](const io::Progress& progress) -> LoadJob::Show {
-    const auto onward = [&](double begin, double end) -> segmentation::Progress {
-      return [&progress, begin, end](double fraction) {
-        return progress(std::lerp(begin, end, fraction), "Growing the region");
-      };
-    };
-    if (!segmentation::canGrow(*volume, seeds)) throw std::runtime_error(segmentation::cannotGrow);
-    const segmentation::VoxelBox near = segmentation::previewBox(*volume, seeds);
-    const segmentation::VoxelBox whole = segmentation::wholeOf(volume->grid.dims);
-    if (isNew && near != whole && !before) {
-      const auto part = grow(*volume, seeds, near, onward(0.0, firstShare));
-      const bool shows = shareOf(*part, seeds) <= mostOfPart;
-      if (shows)
-        QMetaObject::invokeMethod(
-            this,
-            [this, seeds, part] {
-              if (wanted_ && segmentation::haveSameSeeds(*wanted_, seeds) && document_.awaitsGrowth())
-                document_.setGrowth(seeds, part, false);
-            },
-            Qt::QueuedConnection);
-    }
-    const auto growth = before ? paint(*before, seeds, *volume) : grow(*volume, seeds, whole, onward(firstShare, 1.0));
-    return [this, seeds, isNew, growth] {
-      const RegionFocus* asked = document_.region();
-      const double share = asked ? shareOf(*growth, *asked) : 0.0;
-      QString problem;
-      const bool isPainted = asked && !asked->painted.empty();
-      if (asked && share == 0.0)
-        problem = isPainted ? tr("Nothing would be left of the region; it stays as it was.")
-                            : tr("No region grows from there; click elsewhere.");
-      if (asked && isNew && !isPainted && !asked->tolerance && share > mostOfVolume)
-        problem =
-            tr("The region there fills more than half of the volume, like the air around a body; click a structure.");
-      if (problem.isEmpty()) return document_.setGrowth(seeds, growth, true);
-      takeBack();
-      Q_EMIT failed(problem);
-    };
+  const auto* shown = std::get_if<RegionFocus>(&before_);
+  task.showsPart = !task.before && (!shown || shown->origin() != wanted_->origin());
+  job_.start([this, task = std::move(task)](const io::Progress& progress) -> LoadJob::Show {
+    if (!segmentation::canGrow(*task.volume, task.seeds)) throw std::runtime_error(segmentation::cannotGrow);
+    Document::Growing grown = grow(task, progress);
+    return [this, task, grown = std::move(grown)] { finish(task, grown); };
   });
+}
+
+Document::Growing RegionGrower::grow(const Task& task, const io::Progress& progress) {
+  const auto made = [&task](Growth growth) -> Document::Growing {
+    auto facts = std::make_shared<const segmentation::GrowthFacts>(*task.volume, growth);
+    return {std::make_shared<const Growth>(std::move(growth)), std::move(facts)};
+  };
+  if (task.before) {
+    const auto& [first, growth] = *task.before;
+    return made(*segmentation::paintedOn(*growth, first, task.seeds, *task.volume));
+  }
+  showPart(task, part(progress, 0.0, firstShare));
+  std::shared_ptr<const segmentation::TissueTree> tissues = task.tissues;
+  const bool needsTissues = task.seeds.rule == RegionRule::Tissues && !task.seeds.inside.empty();
+  if (needsTissues && !tissues) {
+    tissues = segmentation::TissueTree::build(*task.volume, part(progress, firstShare, tissueShare));
+    if (!tissues) throw io::Cancelled();
+    // Also where this region is given up: the next click needs the same.
+    QMetaObject::invokeMethod(
+        this,
+        [this, tissues, volume = task.volume] {
+          if (document_.study().scene.volume == volume) tissues_ = tissues;
+        },
+        Qt::QueuedConnection);
+  }
+  std::optional<Growth> growth =
+      segmentation::growRegion(*task.volume, task.seeds, segmentation::wholeOf(task.volume->grid.dims),
+                               part(progress, task.tissues ? firstShare : tissueShare, 1.0), std::move(tissues));
+  if (!growth) throw io::Cancelled();
+  return made(std::move(*growth));
+}
+
+void RegionGrower::showPart(const Task& task, const segmentation::Progress& progress) {
+  const segmentation::VoxelBox near = segmentation::previewBox(*task.volume, task.seeds);
+  if (!task.showsPart || near == segmentation::wholeOf(task.volume->grid.dims)) return;
+  std::optional<Growth> growth = segmentation::growRegion(*task.volume, task.seeds, near, progress);
+  if (!growth) throw io::Cancelled();
+  if (shareOf(*growth, task.seeds) > mostOfPart) return;
+  QMetaObject::invokeMethod(
+      this,
+      [this, seeds = task.seeds, part = std::make_shared<const Growth>(std::move(*growth))] {
+        if (wanted_ && segmentation::haveSameSeeds(*wanted_, seeds) && document_.awaitsGrowth())
+          document_.setGrowth(seeds, {part, nullptr});
+      },
+      Qt::QueuedConnection);
+}
+
+QString RegionGrower::problemOf(const Task& task, const Growth& growth) const {
+  const RegionFocus* asked = document_.region();
+  if (!asked) return {};
+  const double share = shareOf(growth, *asked);
+  if (share == 0.0)
+    return asked->painted.empty() ? tr("No region grows from there; click elsewhere.")
+                                  : tr("Nothing would be left of the region; it stays as it was.");
+  const auto* shown = std::get_if<RegionFocus>(&before_);
+  const bool isNew = !shown || shown->origin() != asked->origin();
+  if (!isNew || !asked->painted.empty() || asked->tolerance || share <= mostOfVolume) return {};
+  const auto voxel = segmentation::voxelAt(task.volume->grid, asked->inside.front());
+  if (voxel && segmentation::isAir(*task.volume, *voxel))
+    return tr("That is air, which fills more than half of the volume; click a structure.");
+  return tr(
+      "No border holds the region there: it would fill more than half of the volume. Drag a ball around the "
+      "structure (Shift+drag), or click elsewhere.");
+}
+
+void RegionGrower::finish(const Task& task, Document::Growing grown) {
+  const QString problem = problemOf(task, *grown.growth);
+  if (problem.isEmpty()) return document_.setGrowth(task.seeds, std::move(grown));
+  takeBack();
+  Q_EMIT failed(problem);
 }
 
 void RegionGrower::cancel() {
   job_.cancel();
+  if (document_.asksToOpen()) wanted_ = *document_.region();
   takeBack();
 }
 

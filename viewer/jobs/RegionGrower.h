@@ -1,14 +1,15 @@
 #pragma once
 // Grows the region in the document's focus in the background: at once around the click, then in the whole volume.
 
+#include <memory>
 #include <optional>
 
+#include "rendering/segmentation/RegionGrowing.h"
 #include "rendering/settings/Focus.h"
 #include "viewer/jobs/LoadJob.h"
+#include "viewer/model/Document.h"
 
 namespace fenestra::viewer {
-
-class Document;
 
 class RegionGrower : public QObject {
   Q_OBJECT
@@ -17,7 +18,8 @@ class RegionGrower : public QObject {
   explicit RegionGrower(Document& document, QObject* parent = nullptr);
 
   bool isGrowing() const { return wanted_.has_value(); }
-  /// Gives up the region that is being grown: the focus becomes what it was before.
+  /// Gives up the region that is being grown, or that Document::asksToOpen() about: the focus becomes what it was
+  /// before.
   void cancel();
 
   /// Its progress, and cancelling it from a button; failures become failed().
@@ -30,6 +32,21 @@ class RegionGrower : public QObject {
  private:
   void follow();
   void start();
+  /// What start() needs to know on another thread.
+  struct Task {
+    std::shared_ptr<const Volume> volume;
+    RegionFocus seeds;
+    bool showsPart = false;  ///< a first part is of use
+    std::shared_ptr<const segmentation::TissueTree> tissues;
+    std::optional<std::pair<RegionFocus, std::shared_ptr<const segmentation::Growth>>> before;
+  };
+  /// Off the GUI thread.
+  Document::Growing grow(const Task& task, const io::Progress& progress);
+  void showPart(const Task& task, const segmentation::Progress& progress);
+  /// The whole region is there.
+  void finish(const Task& task, Document::Growing grown);
+  /// Why a grown region is none; empty where it is one.
+  QString problemOf(const Task& task, const segmentation::Growth& growth) const;
   void takeBack();
 
   Document& document_;
@@ -37,6 +54,8 @@ class RegionGrower : public QObject {
   Focus before_;                       ///< the last focus that was complete
   int step_ = 0;                       ///< of the history at which wanted_ was asked for
   bool starts_ = false;                ///< once the job before it has ended: two would take twice the memory
+  /// The volume's, from the first click on, until another study opens.
+  std::shared_ptr<const segmentation::TissueTree> tissues_;
   LoadJob job_;
 };
 

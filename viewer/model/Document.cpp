@@ -7,12 +7,6 @@
 #include "viewer/model/DocumentChanges.h"
 
 namespace fenestra::viewer {
-namespace {
-
-/// Bytes that the growths of regions may hold together, one for each voxel; the latest stays whatever its size.
-constexpr std::size_t mostGrownBytes = std::size_t{256} << 20;
-
-}  // namespace
 
 void Document::open(io::Study study) {
   study_ = std::move(study);
@@ -22,7 +16,13 @@ void Document::open(io::Study study) {
   labelsRevision_ = filedRevision_ = ++lastRevision_;
   preview_ = {};
   grown_.clear();
-  if (study_.growth) grown_.push_back({std::get<RegionFocus>(study_.scene.look.focus), std::move(study_.growth)});
+  opened_.clear();
+  if (study_.growth) {
+    const auto& seeds = std::get<RegionFocus>(study_.scene.look.focus);
+    auto facts = std::make_shared<const segmentation::GrowthFacts>(*study_.scene.volume, *study_.growth);
+    opened_.push_back(seeds);  // a session shows what it showed
+    grown_.push_back({{std::move(study_.growth), std::move(facts)}, seeds});
+  }
   updateDrawn();
   Q_EMIT volumeChanged();
   showMeasures(study_.session.measures);
@@ -38,11 +38,21 @@ void Document::open(io::Study study) {
   Q_EMIT sceneChanged();
 }
 
-void Document::updateDrawn() { study_.drawn.update(study_.scene, growth()); }
+bool Document::updateDrawn() {
+  const Focus focusBefore = study_.drawn.focus();
+  const std::shared_ptr<const LabelMap> labelsBefore = study_.drawn.labels();
+  const bool shows = showsGrowth();
+  study_.drawn.update(study_.scene, shows ? growth() : nullptr);
+  if (shows && isWhole()) {
+    openedVolume_ = regionVolume();
+    if (opened_.empty() || !segmentation::haveSameSeeds(opened_.back(), *region())) opened_.push_back(*region());
+  }
+  return study_.drawn.focus() != focusBefore || study_.drawn.labels() != labelsBefore;
+}
 
 void Document::show(Look look) {
   Look before = std::exchange(study_.scene.look, std::move(look));
-  updateDrawn();
+  const bool showsOther = updateDrawn();
   const Look& now = this->look();
   const auto differs = [&](auto... members) { return ((now.*members != before.*members) || ...); };
   const bool focus = differs(&Look::focus, &Look::focusAppearance), labels = differs(&Look::labels);
@@ -51,6 +61,7 @@ void Document::show(Look look) {
   const bool clipping = differs(&Look::clipping), removals = differs(&Look::removals);
   const bool strokes = differs(&Look::strokes);
   if (strokes) before.strokes = now.strokes;  // nothing else leaves 3-D pictures as they are
+  if (!showsOther) before.focus = now.focus;  // a region that grows leaves the pictures as they are
   const bool scene = now != before;
   if (focus) Q_EMIT focusChanged();
   if (labels) Q_EMIT labelSettingsChanged();
@@ -152,80 +163,6 @@ void Document::setFocus(Focus focus) {
   Look changed = look();
   changed.focus = std::move(focus);
   edit(tr("Focus"), std::move(changed));
-}
-
-const segmentation::Growth* Document::growth() const {
-  const RegionFocus* wanted = region();
-  if (!wanted) return nullptr;
-  for (const Grown& each : grown_)
-    if (segmentation::haveSameSeeds(each.seeds, *wanted)) return each.growth.get();
-  return preview_.growth && segmentation::haveSameSeeds(preview_.seeds, *wanted) ? preview_.growth.get() : nullptr;
-}
-
-void Document::setGrowth(const RegionFocus& seeds, std::shared_ptr<const segmentation::Growth> growth, bool whole) {
-  if (whole) {
-    preview_ = {};
-    grown_.push_back({seeds, std::move(growth)});
-    std::size_t bytes = 0;
-    for (const Grown& each : grown_) bytes += each.growth->steps->voxels.byteCount();
-    while (grown_.size() > 1 && bytes > mostGrownBytes) {
-      bytes -= grown_.front().growth->steps->voxels.byteCount();
-      grown_.erase(grown_.begin());
-    }
-  } else {
-    preview_ = {seeds, std::move(growth)};
-  }
-  if (!region() || !segmentation::haveSameSeeds(seeds, *region())) return;
-  updateDrawn();
-  Q_EMIT focusChanged();
-  Q_EMIT sceneChanged();
-}
-
-void Document::growFrom(glm::dvec3 world, double ball) {
-  Look changed = look();
-  changed.focus = RegionFocus{{world}, {}, {}, {}, RegionRule::Tissues, ball};
-  edit(tr("Region"), std::move(changed));
-}
-
-void Document::addSeed(glm::dvec3 world, bool inside) {
-  if (!region()) return growFrom(world);
-  Look changed = look();
-  auto& seeds = std::get<RegionFocus>(changed.focus);
-  (inside ? seeds.inside : seeds.outside).push_back(world);
-  edit(inside ? tr("Add to the region") : tr("Take away from the region"), std::move(changed));
-}
-
-void Document::paintSelection(SelectionStroke stroke) {
-  if (!region() && !stroke.adds) return;
-  const bool adds = stroke.adds;
-  Look changed = look();
-  if (!region()) changed.focus = RegionFocus{};
-  std::get<RegionFocus>(changed.focus).painted.push_back(std::move(stroke));
-  edit(adds ? tr("Paint the region") : tr("Erase from the region"), std::move(changed));
-}
-
-std::optional<std::pair<RegionFocus, std::shared_ptr<const segmentation::Growth>>> Document::grownBefore(
-    const RegionFocus& wanted) const {
-  for (auto each = grown_.rbegin(); each != grown_.rend(); ++each) {
-    RegionFocus first = wanted;
-    if (each->seeds.painted.size() > first.painted.size()) continue;
-    first.painted.resize(each->seeds.painted.size());
-    if (segmentation::haveSameSeeds(first, each->seeds)) return std::pair(each->seeds, each->growth);
-  }
-  return std::nullopt;
-}
-
-void Document::setTolerance(std::optional<double> tolerance) {
-  if (!region() || region()->tolerance == tolerance) return;
-  Look changed = look();
-  std::get<RegionFocus>(changed.focus).tolerance = tolerance;
-  edit(tr("Tolerance"), std::move(changed));
-}
-
-void Document::moveTolerance(int steps) {
-  if (!growth()) return;
-  const int now = regionStep(), wanted = std::clamp(now + steps, 1, segmentation::stepCount);
-  if (wanted != now) setTolerance(growth()->toleranceOf(wanted));
 }
 
 void Document::focusOn(std::uint16_t label) { setFocus(LabelFocus{{label}}); }

@@ -13,6 +13,7 @@
 
 #include "io/study/Study.h"
 #include "rendering/segmentation/LabelEdit.h"
+#include "rendering/segmentation/RegionFacts.h"
 #include "rendering/volume/SliceMeasure.h"
 #include "viewer/model/DocumentParts.h"
 #include "viewer/model/History.h"
@@ -72,13 +73,34 @@ class Document : public QObject, private DocumentParts {
   /// The growth of region(); isWhole() tells whether it is complete. Null without a region, and until a first part is
   /// grown; until then the scene shows the focus before it.
   const segmentation::Growth* growth() const;
-  bool isWhole() const { return growth() && growth() != preview_.growth.get(); }
+  bool isWhole() const { return whole() != nullptr; }
   /// The region in the focus has to be grown: see RegionGrower.
   bool awaitsGrowth() const { return region() && !isWhole(); }
-  /// Sets the growth from `seeds`: a first part of it, or the whole.
-  void setGrowth(const RegionFocus& seeds, std::shared_ptr<const segmentation::Growth> growth, bool whole);
-  /// The focus becomes the region around a world position, or gets another seed.
+  /// The pictures show growth(). They keep the focus before while there is one and the region is not whole, and while
+  /// asksToOpen().
+  bool showsGrowth() const;
+  /// The region is whole but so large a share of the body that it was hardly meant, and the user has not said to open
+  /// to it; see segmentation::largeShareOfBody.
+  bool asksToOpen() const;
+  /// The user's answer: the pictures open to the region.
+  void openToRegion();
+  /// mm³ of the region; growth() must be there. Its share of the body, where that is known.
+  double regionVolume() const { return growth()->curve.volume[static_cast<std::size_t>(regionStep())]; }
+  std::optional<double> regionShareOfBody() const { return segmentation::shareOfBody(*growth(), regionStep()); }
+  /// What region() is; empty while it grows.
+  std::optional<segmentation::RegionFacts> regionFacts() const;
+  /// A growth with what is known of it; `facts` is null for a first part.
+  struct Growing {
+    std::shared_ptr<const segmentation::Growth> growth;
+    std::shared_ptr<const segmentation::GrowthFacts> facts;
+  };
+  /// Sets what grew from `seeds`: the whole, or without facts a first part of it.
+  void setGrowth(const RegionFocus& seeds, Growing grown);
+  /// The focus becomes the region around a world position, no farther from it than `ball` mm where that is not 0, or
+  /// gets another seed.
   void growFrom(glm::dvec3 world, double ball = 0.0);
+  /// Bounds the region in the focus by a ball around its first seed; 0: no bound.
+  void setBall(double radius);
   void addSeed(glm::dvec3 world, bool inside);
   /// A stroke over the region in the focus, which begins with it where another focus is there; one that takes away
   /// changes a region alone.
@@ -162,20 +184,26 @@ class Document : public QObject, private DocumentParts {
   void sceneChanged();
 
  private:
-  struct Grown {
+  struct Grown : Growing {
     RegionFocus seeds;
-    std::shared_ptr<const segmentation::Growth> growth;
   };
+  /// The whole growth of region(), or null.
+  const Grown* whole() const;
+  /// Drops the oldest growths beyond mostGrownBytes.
+  void limitGrown();
   DocumentParts& parts() { return *this; }
   void show(Look look) override;
   void showLabels(std::shared_ptr<const LabelMap> labels, std::uint64_t revision, Focus focus) override;
   void showMeasures(std::vector<Measure> measures) override;
-  /// Brings the scene that is drawn up to date with the one that is set.
-  void updateDrawn();
+  /// Brings the scene that is drawn up to date with the one that is set. True: its focus is another.
+  bool updateDrawn();
 
-  io::Study study_;           ///< its `scene` and `drawn` follow what the user does
-  Grown preview_;             ///< a first part
-  std::vector<Grown> grown_;  ///< complete ones for undo, the latest last; see mostGrownBytes
+  io::Study study_;                  ///< its `scene` and `drawn` follow what the user does
+  Grown preview_;                    ///< a first part
+  bool showsPreview_ = false;        ///< nothing else was in focus when it came
+  std::vector<Grown> grown_;         ///< complete ones for undo, the latest last; see mostGrownBytes
+  std::vector<RegionFocus> opened_;  ///< regions that the pictures have opened to, the latest last
+  double openedVolume_ = 0.0;        ///< mm³ of the latest of them, as it showed last
   std::uint64_t labelsRevision_ = 0, filedRevision_ = 0, lastRevision_ = 0;
   WindowLevel window_;
   bool inverted_ = false;

@@ -50,8 +50,8 @@ std::size_t held(const SelectionStroke& stroke) {
   return sum(anchors, radius, softness, adds);
 }
 std::size_t held(const RegionFocus& focus) {
-  const auto& [inside, outside, tolerance, painted] = focus;
-  return sum(inside, outside, tolerance, painted);
+  const auto& [inside, outside, tolerance, painted, rule, ball] = focus;
+  return sum(inside, outside, tolerance, painted, rule, ball);
 }
 std::size_t held(const LabelSetting& setting) {
   const auto& [label, role, visible, opacity, colour, function, importance] = setting;

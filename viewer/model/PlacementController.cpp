@@ -104,8 +104,8 @@ void PlacementController::focusChanged() {
   // A new study brings its own cameras with its focus.
   const bool arrived = volume_ != document_.scene().volume;
   volume_ = document_.scene().volume;
-  // The cameras go to a new region once it is grown. Its tolerance and further seeds refine what they look at already.
-  const bool waits = document_.awaitsGrowth();
+  // The cameras go to a new region once it shows. Its tolerance and further seeds refine what they look at already.
+  const bool waits = document_.awaitsGrowth() || document_.asksToOpen();
   const RegionFocus* region = document_.region();
   const bool refined = region && placedClick_ == region->origin() && !wasBusy;
   if (!waits) placedClick_ = region ? region->origin() : std::nullopt;
@@ -130,7 +130,7 @@ void PlacementController::measure(bool asked) {
 }
 
 void PlacementController::measureAlone() {
-  if (measured() || document_.awaitsGrowth()) return;
+  if (measured() || document_.awaitsGrowth() || document_.asksToOpen()) return;
   measure(false);
   moves_ = false;
 }

@@ -33,7 +33,7 @@ constexpr std::array settings{
     OwnedSetting{"Linked views", Habit},
     OwnedSetting{"How cameras are placed", Habit},
     OwnedSetting{"Cross, text, label colours, measures shown", Habit},
-    OwnedSetting{"Click grows a region", Habit},
+    OwnedSetting{"Click chooses the focus", Habit},
     OwnedSetting{"Size and softness of brushes", Habit},
     OwnedSetting{"Hide the patient", Habit},
     OwnedSetting{"Layout of the window", Habit},

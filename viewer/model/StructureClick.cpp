@@ -11,6 +11,7 @@ void clickStructure(Document& document, glm::dvec3 world, Qt::KeyboardModifiers 
     document.addSeed(world, !takesAway);
     return;
   }
+  if (!grows && !takesAway) return;
   const Label* label = document.labelAt(world);
   if (label && takesAway)
     document.setFocused(label->value, !document.isFocused(label->value));

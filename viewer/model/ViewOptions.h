@@ -14,7 +14,7 @@ class ViewOptions : public QObject {
   bool text() const { return text_; }                  ///< corner text
   bool labels() const { return labels_; }              ///< label colours on the slices
   bool measures() const { return measures_; }          ///< drawn on the slices
-  bool grows() const { return grows_; }                ///< a click grows a region where there is no label
+  bool grows() const { return grows_; }                ///< a click chooses the label there, or grows a region
   bool hidesPatient() const { return hidesPatient_; }  ///< no patient or study anywhere in the window
   bool clipHandles() const { return clipHandles_; }    ///< the crop box and clip planes have handles to drag
   void setCrosshair(bool on) { set(crosshair_, on); }

@@ -9,6 +9,7 @@
 #include "viewer/model/MeasureMode.h"
 #include "viewer/model/PlacementController.h"
 #include "viewer/model/Preferences.h"
+#include "viewer/model/RegionBall.h"
 #include "viewer/model/SelectionBrush.h"
 #include "viewer/model/SliceCursor.h"
 #include "viewer/model/ViewLink.h"
@@ -27,6 +28,7 @@ struct Workspace {
   Brush brush;
   Carving carving{document};
   SelectionBrush selection;
+  RegionBall ball;
   ActiveTool tool{{&brush, &carving, &selection}};
   MeasureMode measuring{document};
   Preferences preferences;

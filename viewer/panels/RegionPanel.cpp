@@ -11,6 +11,7 @@
 #include "rendering/segmentation/RegionGrowing.h"
 #include "viewer/model/Document.h"
 #include "viewer/model/NumberText.h"
+#include "viewer/model/RegionText.h"
 
 namespace fenestra::viewer {
 namespace {
@@ -23,10 +24,15 @@ RegionPanel::RegionPanel(Document& document, QWidget* parent)
     : QWidget(parent),
       document_(document),
       size_(new QLabel),
+      facts_(new QLabel),
+      open_(new QPushButton(tr("Open the 3-D views to it"))),
       plot_(new TolerancePlot(document)),
       slider_(new QSlider(Qt::Horizontal)),
       tolerance_(new QDoubleSpinBox),
       automatic_(new QToolButton),
+      ball_(new QDoubleSpinBox),
+      noBall_(new QToolButton),
+      ballRow_(makeBallRow()),
       name_(new QLineEdit),
       colour_(new ColourButton(tr("Colour of the label"))),
       keep_(new QPushButton(tr("Keep"))) {
@@ -40,9 +46,15 @@ RegionPanel::RegionPanel(Document& document, QWidget* parent)
   automatic_->setCheckable(true);
   automatic_->setObjectName(QStringLiteral("choice"));
   automatic_->setToolTip(tr("The tolerance is chosen from the plateaus"));
-  auto* hint = new QLabel(tr("Shift+click adds to the region, Ctrl+click takes away."));
+  auto* hint =
+      new QLabel(tr("Shift+click adds to the region, Ctrl+click takes away. Shift+drag draws a ball around a "
+                    "structure, which its region does not leave."));
   hint->setWordWrap(true);
   hint->setEnabled(false);
+
+  facts_->setWordWrap(true);
+  facts_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  connect(open_, &QPushButton::clicked, &document, &Document::openToRegion);
 
   auto* row = new QHBoxLayout;
   row->addWidget(slider_, 1);
@@ -51,8 +63,11 @@ RegionPanel::RegionPanel(Document& document, QWidget* parent)
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
   column->addWidget(size_);
+  column->addWidget(facts_);
+  column->addWidget(open_);
   column->addWidget(plot_);
   column->addLayout(row);
+  column->addWidget(ballRow_);
   column->addWidget(hint);
   column->addLayout(makeKeepRow());
 
@@ -69,8 +84,28 @@ RegionPanel::RegionPanel(Document& document, QWidget* parent)
                                ? std::nullopt
                                : std::optional(document_.growth()->toleranceOf(document_.regionStep())));
   });
+  connect(ball_, &QDoubleSpinBox::valueChanged, &document, &Document::setBall);
+  connect(noBall_, &QToolButton::clicked, this, [this] { document_.setBall(0.0); });
   connect(&document, &Document::focusChanged, this, &RegionPanel::showRegion);
   showRegion();
+}
+
+QWidget* RegionPanel::makeBallRow() {
+  ball_->setRange(0.1, 10000.0);
+  ball_->setDecimals(1);
+  ball_->setSuffix(tr(" mm"));
+  ball_->setKeyboardTracking(false);
+  ball_->setAlignment(Qt::AlignRight);
+  ball_->setToolTip(tr("Radius of the ball around the click, which the region does not leave"));
+  noBall_->setText(tr("No ball"));
+  noBall_->setToolTip(tr("Nothing bounds the region"));
+  auto* ballRow = new QWidget;
+  auto* row = new QHBoxLayout(ballRow);
+  row->setContentsMargins(0, 0, 0, 0);
+  row->addWidget(new QLabel(tr("Within a ball of")), 1);
+  row->addWidget(ball_);
+  row->addWidget(noBall_);
+  return ballRow;
 }
 
 QLayout* RegionPanel::makeKeepRow() {
@@ -108,6 +143,11 @@ void RegionPanel::showRegion() {
   keep_->setEnabled(document_.isWhole());
   if (!hasChosenColour_) chosenColour_ = defaultLabelColour(segmentation::freeLabel(document_.labels().get()));
   colour_->setColour(chosenColour_);
+  const double radius = document_.region() ? document_.region()->ball : 0.0;
+  ballRow_->setVisible(radius > 0.0);
+  const QSignalBlocker quietBall(ball_);
+  if (radius > 0.0) ball_->setValue(radius);
+  showFacts();
   const bool grown = document_.growth();
   for (QWidget* each : std::initializer_list<QWidget*>{plot_, slider_, tolerance_, automatic_}) each->setEnabled(grown);
   if (grown)
@@ -116,10 +156,22 @@ void RegionPanel::showRegion() {
     size_->setText(tr("Region: growing…"));
 }
 
+void RegionPanel::showFacts() {
+  const std::optional<segmentation::RegionFacts> facts = document_.regionFacts();
+  facts_->setVisible(facts.has_value());
+  open_->setVisible(document_.asksToOpen());
+  if (!facts) return;
+  QStringList sentences = regionSentences(*facts, document_.scene().volume->unit);
+  if (document_.asksToOpen())
+    sentences << tr("That is %1 % of the body: the 3-D views do not open to it by themselves.")
+                     .arg(std::lround(100.0 * *document_.regionShareOfBody()));
+  facts_->setText(sentences.join(QLatin1Char(' ')));
+}
+
 void RegionPanel::showNumbers() {
   const segmentation::Growth& growth = *document_.growth();
   const int step = document_.regionStep();
-  const double ml = growth.curve.volume[static_cast<std::size_t>(step)] / mm3PerMl;
+  const double ml = document_.regionVolume() / mm3PerMl;
   size_->setText(document_.isWhole() ? tr("Region: %1").arg(volumeText(ml))
                                      : tr("Region: %1 so far…").arg(volumeText(ml)));
   const QSignalBlocker quietSlider(slider_), quietBox(tolerance_);

@@ -27,6 +27,10 @@ class RegionPanel : public QWidget {
   QToolButton* automatic() const { return automatic_; }
   TolerancePlot* plot() const { return plot_; }
   QLabel* size() const { return size_; }
+  QLabel* facts() const { return facts_; }     ///< what the region is, in sentences
+  QPushButton* open() const { return open_; }  ///< shown while Document::asksToOpen()
+  QDoubleSpinBox* ball() const { return ball_; }
+  QToolButton* noBall() const { return noBall_; }
   QLineEdit* name() const { return name_; }
   QPushButton* keep() const { return keep_; }
 
@@ -37,15 +41,22 @@ class RegionPanel : public QWidget {
  private:
   void showRegion();
   void showNumbers();
+  void showFacts();
+  /// The radius of the ball that bounds the region.
+  QWidget* makeBallRow();
   QLayout* makeKeepRow();
   void setStep(int step);
 
   Document& document_;
-  QLabel* size_;
+  QLabel *size_, *facts_;
+  QPushButton* open_;
   TolerancePlot* plot_;
   QSlider* slider_;
   QDoubleSpinBox* tolerance_;
   QToolButton* automatic_;
+  QDoubleSpinBox* ball_;
+  QToolButton* noBall_;
+  QWidget* ballRow_;  ///< shown while there is a ball
   QLineEdit* name_;
   ColourButton* colour_;
   QPushButton* keep_;

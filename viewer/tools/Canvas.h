@@ -28,6 +28,8 @@ class Canvas {
   virtual std::optional<glm::dvec3> pickSurface(QPointF position) const = 0;
   /// As pickSurface(), but a point within the voxel that is seen first.
   virtual std::optional<glm::dvec3> pickVoxel(QPointF position) const { return pickSurface(position); }
+  /// As pickSurface(), but a point within the structure that a click there is about.
+  virtual std::optional<glm::dvec3> pickStructure(QPointF position) const { return pickSurface(position); }
   virtual void redraw() const = 0;
 
   /// The plane of a slice; empty in 3-D.

@@ -22,6 +22,8 @@ class Tool {
   virtual void drag(const QMouseEvent&) {}
   /// The left button is let go, and the tool had the mouse.
   virtual void release(const QMouseEvent&) {}
+  /// Asked before release(): the mouse has done nothing yet, so that the view has the press back as a click.
+  virtual bool wasClick() const { return false; }
   /// The mouse moves, and the tool does not have it.
   virtual void hover(const QMouseEvent&) {}
   /// The mouse leaves the view.

@@ -25,9 +25,14 @@ bool ViewTools::move(const QMouseEvent& event) {
 }
 
 bool ViewTools::release(const QMouseEvent& event) {
-  const bool wasBusy = isBusy();
-  if (wasBusy && event.button() == Qt::LeftButton) std::exchange(holder_, nullptr)->release(event);
-  return wasBusy;
+  if (!isBusy() || event.button() != Qt::LeftButton) return isBusy();
+  Tool* tool = std::exchange(holder_, nullptr);
+  if (tool->wasClick()) {
+    tool->leave();
+    return false;
+  }
+  tool->release(event);
+  return true;
 }
 
 bool ViewTools::wheel(const QWheelEvent& event) {

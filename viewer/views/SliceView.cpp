@@ -47,8 +47,9 @@ SliceView::SliceView(SlicePlane plane, Workspace& workspace, OpeningEdge& openin
       selectionTool_(workspace.selection, document_, *canvas_),
       toleranceWheel_(document_),
       clipTool_(document_, options_, workspace.tool, *canvas_),
+      ballTool_(workspace, *canvas_),
       measureTool_(workspace.measuring, document_, options_, *canvas_),
-      tools_({&carveTool_, &selectionTool_, &toleranceWheel_, &clipTool_, &measureTool_}) {
+      tools_({&carveTool_, &selectionTool_, &toleranceWheel_, &clipTool_, &measureTool_, &ballTool_}) {
   geometry_.plane = plane;
   setMouseTracking(true);
   setFocusPolicy(Qt::StrongFocus);
@@ -84,6 +85,7 @@ SliceView::SliceView(SlicePlane plane, Workspace& workspace, OpeningEdge& openin
   };
   connect(&workspace.tool, &ActiveTool::changed, this, showTools);
   connect(&workspace.measuring, &MeasureMode::changed, this, showTools);
+  connect(&workspace.ball, &RegionBall::changed, this, [this] { update(); });
   readGeometry();
 }
 
@@ -121,7 +123,8 @@ void SliceView::forgetSlice() {
   values_.clear();
   grey_.clear();
   labels_.clear();
-  steps_.clear();
+  steps_.all.clear();
+  awaited_.all.clear();
   image_ = {};
 }
 
@@ -155,19 +158,22 @@ class SliceView::Tints {
 
   Tints(const Document& document, const SliceView& view) : view_(view) {
     const Scene& scene = document.scene();
-    if (const auto* values = std::get_if<ValueFocus>(&scene.look.focus)) values_ = values->values;
-    focus_ = {document.region() ? segmentation::regionColour : scene.look.focusAppearance.colour, focusTintPercent,
+    const segmentation::DrawnScene& drawn = document.study().drawn;
+    if (const auto* values = std::get_if<ValueFocus>(&drawn.focus())) values_ = values->values;
+    focus_ = {drawn.showsRegion() ? segmentation::regionColour : scene.look.focusAppearance.colour, focusTintPercent,
               true};
-    if (!view.steps_.empty()) lastStep_ = static_cast<std::uint16_t>(document.regionStep());
+    const auto* focused = std::get_if<LabelFocus>(&drawn.focus());
+    if (focused && drawn.showsRegion()) lastStep_ = focused->labels.back();
     if (view.labels_.empty()) return;
     labels_.resize(std::size_t{1} + *std::max_element(view.labels_.begin(), view.labels_.end()));
     for (const Label& label : document.labels()->labels) {
       if (label.value >= labels_.size() || label.value == 0) continue;
       const LabelSetting setting = document.labelSetting(label.value);
       if (!setting.visible) continue;
-      const bool focused = document.isFocused(label.value);
-      const double percent = setting.opacity * (focused ? focusTintPercent : tintPercent);
-      labels_[label.value] = {document.colourOf(label), static_cast<int>(std::lround(percent)), focused};
+      const bool isFocused = focused && !drawn.showsRegion() &&
+                             std::binary_search(focused->labels.begin(), focused->labels.end(), label.value);
+      const double percent = setting.opacity * (isFocused ? focusTintPercent : tintPercent);
+      labels_[label.value] = {document.colourOf(label), static_cast<int>(std::lround(percent)), isFocused};
     }
   }
 
@@ -176,7 +182,7 @@ class SliceView::Tints {
     const float value = view_.values_[pixel];
     if (values_ && value >= values_->low && value <= values_->high) return focus_;
     // Makes 0, which stands for no step, greater than all steps.
-    if (!view_.steps_.empty() && static_cast<std::uint16_t>(view_.steps_[pixel] - 1) < lastStep_) return focus_;
+    if (!view_.steps_.all.empty() && static_cast<std::uint16_t>(view_.steps_.all[pixel] - 1) < lastStep_) return focus_;
     return labels_.empty() ? none : labels_[view_.labels_[pixel]];
   }
 
@@ -192,9 +198,9 @@ void SliceView::makeImage() {
   const Volume& volume = *document_.scene().volume;
   if (values_.empty()) values_ = sliceValues(volume, geometry_, slice_);
   if (labels_.empty() && document_.labels()) labels_ = sliceLabels(*document_.labels(), geometry_, slice_);
-  const std::shared_ptr<const LabelMap> steps = document_.growth() ? document_.growth()->steps : nullptr;
-  if (std::exchange(stepsOf_, steps) != steps) steps_.clear();
-  if (steps && steps_.empty()) steps_ = sliceLabels(*steps, geometry_, slice_);
+  const segmentation::DrawnScene& drawn = document_.study().drawn;
+  readSteps(steps_, drawn.showsRegion() ? drawn.labels() : nullptr);
+  readSteps(awaited_, document_.growth() && !document_.showsGrowth() ? document_.growth()->steps : nullptr);
   // What is in focus changes far more often than the window does: with every step of a region's tolerance.
   const GreyLevels levels{document_.window(), volume.lowIsWhite != document_.isInverted()};
   if (grey_.empty() || levels != greyLevels_) grey_ = windowed(values_, levels.window, levels.lowIsWhite);
@@ -214,12 +220,25 @@ void SliceView::makeImage() {
                                                        : qRgb(grey_[at], grey_[at], grey_[at]);
     }
   }
-  collectOutline(focused);
+  collectOutlines(focused);
 }
 
-void SliceView::collectOutline(const std::vector<char>& focused) {
-  outline_ =
-      options_.labels() ? polygonsOf(smoothOutlines(focused, geometry_.width, geometry_.height)) : QList<QPolygonF>();
+void SliceView::readSteps(Steps& steps, std::shared_ptr<const LabelMap> of) const {
+  if (std::exchange(steps.of, of) != of) steps.all.clear();
+  if (of && steps.all.empty()) steps.all = sliceLabels(*of, geometry_, slice_);
+}
+
+void SliceView::collectOutlines(const std::vector<char>& focused) {
+  outline_.clear();
+  awaitedOutline_.clear();
+  if (!options_.labels()) return;
+  outline_ = polygonsOf(smoothOutlines(focused, geometry_.width, geometry_.height));
+  if (awaited_.all.empty()) return;
+  const auto last = static_cast<std::uint16_t>(document_.regionStep());
+  std::vector<char> awaited(awaited_.all.size());
+  std::transform(awaited_.all.begin(), awaited_.all.end(), awaited.begin(),
+                 [last](std::uint16_t step) { return step != 0 && step <= last; });
+  awaitedOutline_ = polygonsOf(smoothOutlines(awaited, geometry_.width, geometry_.height));
 }
 
 QTransform SliceView::widgetFromPixels() const {

@@ -4,7 +4,7 @@
 //
 // Left click: crosshair and focus, see clickStructure(); left drag: window/level, unless a tool takes it; middle: pan;
 // right drag or Ctrl+wheel: zoom; wheel and arrows: slices; Shift+move: crosshair. The tools: CarveTool, SelectionTool,
-// ToleranceWheel, ClipTool, MeasureTool.
+// ToleranceWheel, ClipTool, MeasureTool, RegionBallTool.
 
 #include <memory>
 #include <optional>
@@ -23,6 +23,7 @@
 #include "viewer/tools/CarveTool.h"
 #include "viewer/tools/ClipTool.h"
 #include "viewer/tools/MeasureTool.h"
+#include "viewer/tools/RegionBallTool.h"
 #include "viewer/tools/SelectionTool.h"
 #include "viewer/tools/ToleranceWheel.h"
 #include "viewer/tools/ViewTools.h"
@@ -96,6 +97,11 @@ class SliceView : public QWidget {
   void leaveEvent(QEvent* event) override;
 
  private:
+  /// A growth's steps on the slice.
+  struct Steps {
+    std::vector<std::uint16_t> all;      ///< empty until they are read
+    std::shared_ptr<const LabelMap> of;  ///< the map that they are read from
+  };
   /// Shows another volume from the beginning: neither a drag nor a click on the one before goes on.
   void showVolume();
   void readGeometry();
@@ -108,7 +114,8 @@ class SliceView : public QWidget {
   class Tints;
   /// Pixels to the widget.
   QTransform widgetFromPixels() const;
-  void collectOutline(const std::vector<char>& focused);
+  void readSteps(Steps& steps, std::shared_ptr<const LabelMap> of) const;
+  void collectOutlines(const std::vector<char>& focused);
   void zoomAt(QPointF position, double factor);
   void click(QPointF position, Qt::KeyboardModifiers modifiers);
   double pixelsPerMm() const;
@@ -139,13 +146,14 @@ class SliceView : public QWidget {
     WindowLevel window;
     bool lowIsWhite = false;
     bool operator==(const GreyLevels&) const = default;
-  } greyLevels_;                             ///< what grey_ was made with
-  std::vector<std::uint8_t> grey_;           ///< the values through the window; empty until it is made
-  std::vector<std::uint16_t> labels_;        ///< labels of the slice; empty without labels
-  std::vector<std::uint16_t> steps_;         ///< steps of the region in the focus; empty without one
-  std::shared_ptr<const LabelMap> stepsOf_;  ///< the map that steps_ were read from
-  QImage image_;                             ///< null until it is made
-  QList<QPolygonF> outline_;                 ///< outline of the focus, in slice pixels from the picture's corner
+  } greyLevels_;                       ///< what grey_ was made with
+  std::vector<std::uint8_t> grey_;     ///< the values through the window; empty until it is made
+  std::vector<std::uint16_t> labels_;  ///< labels of the slice; empty without labels
+  Steps steps_;                        ///< of the region that shows as the focus
+  Steps awaited_;                      ///< of the region in the focus, while another focus shows
+  QImage image_;                       ///< null until it is made
+  QList<QPolygonF> outline_;           ///< outline of the focus, in slice pixels from the picture's corner
+  QList<QPolygonF> awaitedOutline_;    ///< of awaited_, as outline_
 
   OpeningEdge& opening_;
   /// Outline of what is carved away, in pixels as outline_; empty until it is found.
@@ -169,6 +177,7 @@ class SliceView : public QWidget {
   SelectionTool selectionTool_;
   ToleranceWheel toleranceWheel_;
   ClipTool clipTool_;
+  RegionBallTool ballTool_;
   MeasureTool measureTool_;
   ViewTools tools_;
   bool toolTookPress_ = false;

@@ -14,6 +14,7 @@
 #include "viewer/style/InterpolatedPlanes.h"
 #include "viewer/style/Overlay.h"
 #include "viewer/views/FidelityChip.h"
+#include "viewer/views/RegionMark.h"
 #include "viewer/views/SliceView.h"
 
 namespace fenestra::viewer {
@@ -74,7 +75,10 @@ void SliceView::drawMarks(QPainter& painter, bool interpolated) const {
   if (options_.crosshair()) drawCrosshair(painter);
   const QRectF view = rect();
   drawFidelity(painter, view, fidelity());
-  if (lateness_.isLate()) drawWaiting(painter, view, tr("Not yet as asked for"));
+  if (lateness_.isLate() || document_.asksToOpen()) {
+    const QString region = regionMark(document_);
+    drawWaiting(painter, view, region.isEmpty() ? tr("Not yet as asked for") : region);
+  }
   tools_.draw(painter, view);
   drawEdgeLetters(painter, view, geometry_.right, geometry_.down);
   drawScaleBar(painter, view, 1.0 / pixelsPerMm());
@@ -119,6 +123,12 @@ void SliceView::drawOutlines(QPainter& painter) const {
   QList<QPolygonF> outline;
   for (const QPolygonF& line : outline_) outline << transform.map(line);
   drawLines(outline, QPen(QColor(255, 240, 190), 1.0));
+  QPen coming(toColour(segmentation::regionColour), 1.0);
+  coming.setDashPattern({4.0, 3.0});
+  QList<QPolygonF> awaited;
+  for (const QPolygonF& line : awaitedOutline_) awaited << transform.map(line);
+  drawLines(awaited, QPen(QColor(0, 0, 0, 150), 2.4));
+  drawLines(awaited, coming);
   painter.restore();
 }
 

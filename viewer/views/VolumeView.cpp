@@ -56,7 +56,8 @@ VolumeView::VolumeView(int index, Workspace& workspace, Shared shared, QWidget* 
       toleranceWheel_(document_),
       clipTool_(document_, options_, active_, *canvas_),
       wallTool_(document_, cursor_, options_, active_, *canvas_),
-      tools_({&brushTool_, &carveTool_, &selectionTool_, &toleranceWheel_, &clipTool_, &wallTool_}),
+      ballTool_(workspace, *canvas_),
+      tools_({&brushTool_, &carveTool_, &selectionTool_, &toleranceWheel_, &clipTool_, &wallTool_, &ballTool_}),
       shared_(std::move(shared)),
       surface_(
           PictureSurface::make(shared_.software, *this, {.paint = [this] { paint(); }, .shown = [this] { shown(); }})) {
@@ -69,6 +70,7 @@ VolumeView::VolumeView(int index, Workspace& workspace, Shared shared, QWidget* 
   connect(&hover_, &QTimer::timeout, this, &VolumeView::readUnderMouse);
   connect(&rest_, &QTimer::timeout, this, &VolumeView::settle);
   connect(&refining_, &QTimer::timeout, this, &VolumeView::refine);
+  connect(&workspace.ball, &RegionBall::changed, this, &VolumeView::repaintSurface);
   followScene();
   followTools();
 }

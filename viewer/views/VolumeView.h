@@ -9,7 +9,8 @@
 //
 // Left drag: rotate, unless a tool takes it; left click: crosshair and focus to what is seen, see clickStructure();
 // middle: pan; right drag or wheel: zoom; arrows: turn by steps. The tools: BrushTool, CarveTool, SelectionTool,
-// ToleranceWheel, ClipTool, WallTool. Strokes that begin while another thread has the context wait until it is free.
+// ToleranceWheel, ClipTool, WallTool, RegionBallTool. Strokes that begin while another thread has the context wait
+// until it is free.
 //
 // Another volume blanks the view at once, and a line says what is awaited until its first picture is there. A picture
 // that has not been what was asked for since a moment is marked.
@@ -33,6 +34,7 @@
 #include "viewer/tools/BrushTool.h"
 #include "viewer/tools/CarveTool.h"
 #include "viewer/tools/ClipTool.h"
+#include "viewer/tools/RegionBallTool.h"
 #include "viewer/tools/SelectionTool.h"
 #include "viewer/tools/ToleranceWheel.h"
 #include "viewer/tools/ViewTools.h"
@@ -274,6 +276,7 @@ class VolumeView : public QWidget {
   ToleranceWheel toleranceWheel_;
   ClipTool clipTool_;
   WallTool wallTool_;
+  RegionBallTool ballTool_;
   ViewTools tools_;
   std::vector<std::unique_ptr<QMouseEvent>> waiting_;  ///< events of strokes, see keepsForLater()
   Shared shared_;

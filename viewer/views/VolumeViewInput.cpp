@@ -36,10 +36,10 @@ void VolumeView::mousePressEvent(QMouseEvent* event) {
   hover_.stop();
   shared_.pacer->lead(index_);
   if (keepsForLater(*event)) return;
-  if (tools_.press(*event)) return;
   pressed_ = last_ = event->position();
-  beforeClick_.reset();
   dragging_ = false;
+  if (tools_.press(*event)) return;
+  beforeClick_.reset();
 }
 
 void VolumeView::mouseMoveEvent(QMouseEvent* event) {
@@ -146,7 +146,7 @@ void VolumeView::click(const Hit& hit, Qt::KeyboardModifiers modifiers) {
   const glm::dvec3 seen = seenAt(hit);
   cursor_.moveTo(seen);
   Q_EMIT pointed(seen);
-  if (options_.grows() || modifiers & Qt::ControlModifier) clickStructure(document_, seen, modifiers, options_.grows());
+  clickStructure(document_, seen, modifiers, options_.grows());
 }
 
 void VolumeView::mouseDoubleClickEvent(QMouseEvent* event) {

@@ -13,6 +13,7 @@
 #include "viewer/views/FidelityChip.h"
 #include "viewer/views/PictureSurface.h"
 #include "viewer/views/RefinedPicture.h"
+#include "viewer/views/RegionMark.h"
 #include "viewer/views/VolumeView.h"
 
 namespace fenestra::viewer {
@@ -100,11 +101,12 @@ void VolumeView::drawOverlay() {
   if (!hasPicture()) {
     painter.setPen(overlayGrey);
     painter.drawText(view, Qt::AlignCenter, tr("The first 3-D picture of this study is being made…"));
-  } else if (lateness_.isLate()) {
+  } else if (lateness_.isLate() || document_.asksToOpen()) {
+    const QString region = regionMark(document_);
     viewer::drawWaiting(painter, view,
-                        document_.awaitsGrowth() ? tr("Growing the region; the focus before still shows")
-                        : awaits_                ? tr("Editing the label; the one before still shows")
-                                                 : tr("Not yet as asked for: the picture is being prepared"));
+                        !region.isEmpty() ? region
+                        : awaits_         ? tr("Editing the label; the one before still shows")
+                                          : tr("Not yet as asked for: the picture is being prepared"));
   }
   tools_.draw(painter, view);
   drawWaiting(painter);

@@ -33,6 +33,10 @@ class VolumeView::ToolCanvas : public PictureCanvas {
     const std::optional<Hit> hit = view_.pick(position);
     return hit ? std::optional(view_.surfaceAt(*hit)) : std::nullopt;
   }
+  std::optional<glm::dvec3> pickStructure(QPointF position) const override {
+    const std::optional<Hit> hit = view_.pick(position);
+    return hit ? std::optional(view_.seenAt(*hit)) : std::nullopt;
+  }
   void redraw() const override { view_.repaintSurface(); }
 
   int camera() const override { return view_.index_; }

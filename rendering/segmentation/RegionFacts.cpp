@@ -1,0 +1,128 @@
+#include "rendering/segmentation/RegionFacts.h"
+
+#include <algorithm>
+#include <cmath>
+#include <mutex>
+#include <numbers>
+
+#include "rendering/volume/Threads.h"
+
+namespace fenestra::segmentation {
+namespace {
+
+/// HU: darker lung is counted as air, too (Gevenois et al., American Journal of Respiratory and Critical Care Medicine
+/// 152(2), 1995).
+constexpr double airThreshold = -950.0;
+/// Where values are no Hounsfield units, the lowest share of their range that counts as air.
+constexpr double airShare = 0.02;
+
+constexpr double strongEdge = 2.0;  ///< noise units, averaged over the border
+constexpr double leakGrowth = 1.5;  ///< a region that grows by this factor in one step of its curve leaks there
+/// Of the radius of the ball of what joins: a middle that is nearer to the region's lies on no side of it.
+constexpr double leastOffset = 0.35;
+
+double volumeAt(const Growth& growth, int step) { return growth.curve.volume[static_cast<std::size_t>(step)]; }
+
+Border borderAt(const Growth& growth, int step, double contrast) {
+  const bool isSteady = std::any_of(growth.curve.plateaus.begin(), growth.curve.plateaus.end(),
+                                    [&](const Plateau& each) { return each.first <= step && step <= each.last; });
+  const bool isStrong = contrast >= strongEdge;
+  return isSteady && isStrong ? Border::Clear : isSteady || isStrong ? Border::Fair : Border::Doubtful;
+}
+
+}  // namespace
+
+bool isAir(const Volume& volume, glm::ivec3 voxel) {
+  double sum = 0.0;
+  for (int i = 0; i < 27; ++i) {
+    const glm::ivec3 neighbour = voxel + glm::ivec3(i % 3, i / 3 % 3, i / 9) - 1;
+    sum += volume.value(glm::clamp(neighbour, glm::ivec3(0), volume.grid.dims - 1));
+  }
+  const double mean = sum / 27.0;
+  if (volume.isInHounsfieldUnits()) return mean < airThreshold;
+  return !(mean > volume.range.low + airShare * (volume.range.high - volume.range.low));  // NaN is air
+}
+
+std::optional<double> shareOfBody(const Growth& growth, int step) {
+  if (!growth.tissues || growth.tissues->bodyVolume() <= 0.0) return std::nullopt;
+  return volumeAt(growth, step) / growth.tissues->bodyVolume();
+}
+
+void GrowthFacts::Sums::add(const Sums& other) {
+  voxels += other.voxels;
+  value += other.value;
+  square += other.square;
+  place += other.place;
+}
+
+GrowthFacts::GrowthFacts(const Volume& volume, const Growth& growth)
+    : grid_(volume.grid),
+      // Squares of values near 0 lose no digits.
+      reference_(0.5 * (volume.range.low + volume.range.high)),
+      sums_(static_cast<std::size_t>(stepCount) + 1) {
+  const std::span<const std::uint8_t> steps = growth.steps->voxels.as<std::uint8_t>();
+  const VoxelBox& box = growth.box;
+  std::vector<std::vector<Sums>> layers(static_cast<std::size_t>(std::max(0, box.dims().z)));
+  volume.voxels.visit([&](auto values) {
+    parallelFor(layers.size(), 1, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t layer = begin; layer < end; ++layer) {
+        std::vector<Sums>& sums = layers[layer];
+        sums.resize(sums_.size());
+        const int z = box.low.z + static_cast<int>(layer);
+        for (int y = box.low.y; y < box.high.y; ++y) {
+          std::size_t at = grid_.offset({box.low.x, y, z});
+          for (int x = box.low.x; x < box.high.x; ++x, ++at) {
+            if (steps[at] == 0) continue;
+            const double value = volume.slope * static_cast<double>(values[at]) + volume.intercept - reference_;
+            if (std::isfinite(value)) sums[steps[at]].add({1.0, value, value * value, {x, y, z}});
+          }
+        }
+      }
+    });
+  });
+  // In their order: sums of doubles depend on it.
+  for (const std::vector<Sums>& layer : layers)
+    for (std::size_t step = 0; step < layer.size(); ++step) sums_[step].add(layer[step]);
+}
+
+GrowthFacts::Sums GrowthFacts::between(int after, int upTo) const {
+  Sums sums;
+  for (int step = after + 1; step <= upTo; ++step) sums.add(sums_[static_cast<std::size_t>(step)]);
+  return sums;
+}
+
+std::optional<RegionFacts::Leak> GrowthFacts::leakAfter(const Growth& growth, int step) const {
+  int cliff = step + 1;
+  while (cliff <= stepCount && volumeAt(growth, cliff) < leakGrowth * volumeAt(growth, cliff - 1)) ++cliff;
+  if (cliff > stepCount) return std::nullopt;
+  const Sums region = between(0, step), joined = between(cliff - 1, cliff);
+  RegionFacts::Leak leak{growth.toleranceOf(cliff), volumeAt(growth, cliff)};
+  if (region.voxels == 0.0 || joined.voxels == 0.0) return leak;
+  const auto middle = [&](const Sums& sums) {
+    return glm::dvec3(grid_.worldFromIndex() * glm::dvec4(sums.place / sums.voxels, 1.0));
+  };
+  const glm::dvec3 offset = middle(joined) - middle(region);
+  const double radius = std::cbrt(joined.voxels * grid_.voxelVolume() * 3.0 / (4.0 * std::numbers::pi));
+  if (glm::length(offset) >= leastOffset * radius) leak.towards = glm::normalize(offset);
+  return leak;
+}
+
+RegionFacts GrowthFacts::at(const Growth& growth, int step) const {
+  RegionFacts facts;
+  facts.volume = volumeAt(growth, step);
+  const Sums sums = between(0, step);
+  if (sums.voxels > 0.0) {
+    const double mean = sums.value / sums.voxels;
+    facts.mean = mean + reference_;
+    facts.deviation = std::sqrt(std::max(0.0, sums.square / sums.voxels - mean * mean));
+  }
+  const std::vector<double>& contrasts = growth.curve.contrast;
+  if (std::all_of(contrasts.begin(), contrasts.end(), [](double contrast) { return contrast == 0.0; })) return facts;
+  const double contrast = std::max(0.0, contrasts[static_cast<std::size_t>(step)]);
+  facts.contrast = contrast * growth.noise;
+  facts.border = borderAt(growth, step, contrast);
+  facts.leak = leakAfter(growth, step);
+  return facts;
+}
+
+}  // namespace fenestra::segmentation
