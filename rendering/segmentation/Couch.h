@@ -21,11 +21,6 @@ namespace fenestra::segmentation {
 /// are brighter than air.
 CoarseMask findTable(const Volume& volume);
 
-/// Notice for a user whose scan has a table that is hidden.
-inline constexpr const char* tableNotice =
-    "the scanner's table is left out of 3-D pictures; slices show it; \"Hide the table\" in the panel Context, or "
-    "--hide-table off, brings it back";
-
 /// findTable() as a scene holds it. An empty set where there is too little memory for the search.
 std::shared_ptr<const CoarseMask> tableOf(const Volume& volume);
 

@@ -16,7 +16,7 @@ constexpr double airThreshold = -950.0;
 /// Where values are no Hounsfield units, the lowest share of their range that counts as air.
 constexpr double airShare = 0.02;
 
-constexpr double strongEdge = 2.0;  ///< noise units, averaged over the border
+constexpr double strongEdge = 2.0, weakEdge = 1.0;  ///< noise units, averaged over the border
 constexpr double leakGrowth = 1.5;  ///< a region that grows by this factor in one step of its curve leaks there
 /// Of the radius of the ball of what joins: a middle that is nearer to the region's lies on no side of it.
 constexpr double leastOffset = 0.35;
@@ -27,6 +27,7 @@ Border borderAt(const Growth& growth, int step, double contrast) {
   const bool isSteady = std::any_of(growth.curve.plateaus.begin(), growth.curve.plateaus.end(),
                                     [&](const Plateau& each) { return each.first <= step && step <= each.last; });
   const bool isStrong = contrast >= strongEdge;
+  if (contrast < weakEdge) return Border::Doubtful;
   return isSteady && isStrong ? Border::Clear : isSteady || isStrong ? Border::Fair : Border::Doubtful;
 }
 
