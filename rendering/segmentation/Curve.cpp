@@ -35,6 +35,7 @@ constexpr double stayWeight = 0.5;   ///< for each octave of tolerance
 constexpr double longestStay = 2.0;  ///< octaves: more is no better
 constexpr double sizeWeight = 1.8;
 constexpr double excessWeight = 0.5;
+constexpr double oversizeCost = 1.0;
 constexpr double usualStructure = 2e-4;  ///< of the body's volume
 constexpr double mostStructure = 0.15, mostGas = 0.6;
 
@@ -201,7 +202,7 @@ GrowthCurve growthCurve(std::span<const Level> joins, std::span<const Level> cos
 }
 
 StructureSizes structureSizes(double body, bool isGas) {
-  return {.usual = usualStructure * body, .most = (isGas ? mostGas : mostStructure) * body};
+  return {.usual = usualStructure * body, .most = (isGas ? mostGas : mostStructure) * body, .limit = mostGas * body};
 }
 
 std::optional<ClearestStep> clearestStep(const GrowthCurve& curve, const StructureSizes& sizes, const Grid& grid) {
@@ -211,11 +212,12 @@ std::optional<ClearestStep> clearestStep(const GrowthCurve& curve, const Structu
   for (std::size_t step = curve.volume.size(); step-- > 1;) {
     const double volume = curve.volume[step];
     if (step + 1 < curve.volume.size() && curve.volume[step + 1] != volume) changes = step + 1;
-    if (volume < least || volume > sizes.most || curve.contrast[step] <= 0.0) continue;
+    if (volume < least || volume > sizes.limit || curve.contrast[step] <= sizes.contrast) continue;
     const double octaves = std::min(longestStay, static_cast<double>(changes - step) / levelsPerOctave);
     const double clarity = sharpnessWeight * std::log(curve.contrast[step]) +
                            compactnessWeight * std::log(std::min(1.0, curve.compactness[step])) + stayWeight * octaves +
                            sizeWeight * std::min(0.0, std::log(volume / sizes.usual)) -
+                           (volume > sizes.most ? oversizeCost : 0.0) -
                            excessWeight * std::max(0.0, std::log(volume / sizes.expected));
     if (!clearest || clarity >= clearest->clarity) clearest = {static_cast<int>(step), clarity};
   }

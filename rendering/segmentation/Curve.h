@@ -41,7 +41,9 @@ GrowthCurve growthCurve(std::span<const Level> joins, std::span<const Level> cos
 /// Which sizes a structure may have in a body, mm³.
 struct StructureSizes {
   double usual = 0.0;  ///< what is smaller is less likely to be meant, the more the smaller it is
-  double most = 0.0;   ///< what is larger is no structure
+  double most = 0.0;   ///< what is larger must be clearer
+  double limit = std::numeric_limits<double>::infinity();     ///< what is larger is no structure
+  double contrast = 0.0;                                      ///< noise units: a border with less is none
   double expected = std::numeric_limits<double>::infinity();  ///< what is larger is less likely to be meant
 };
 /// `body`: volume in mm³. Gas is the body's own: lungs may take up most of what a scan of the chest shows.

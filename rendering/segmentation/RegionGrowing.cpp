@@ -6,6 +6,7 @@
 #include <limits>
 #include <span>
 
+#include "rendering/segmentation/Morphology.h"
 #include "rendering/segmentation/Painting.h"
 #include "rendering/segmentation/Smoothing.h"
 #include "rendering/segmentation/ValueGrower.h"
@@ -16,9 +17,11 @@ namespace {
 // Chosen on the marked structures of tests/bench/results/growing.md.
 /// Of the clarity: a region by tissues must be clearer than one by values by this much.
 constexpr double tissuesHandicap = 0.25;
-// A further seed adds no more than this share of the region, or this multiple of a structure's usual size. What a click
-// missed is seldom larger, a leak is.
-constexpr double mostOfRegion = 0.5, mostAdded = 20.0;
+// A further seed adds no more than these shares of the region, beside it or apart from it, or than this multiple of a
+// structure's usual size. What a click missed is seldom larger, a leak is; a second structure may well be as large.
+constexpr double mostOfMissed = 0.5, mostOfOther = 1.5, mostAdded = 20.0;
+constexpr double leastContrast = 1.0;  ///< deviations of the noise, of a border
+constexpr double besideRadius = 4.0;   ///< voxel sides
 
 /// A label map with a label for each step, whose voxels the caller sets.
 std::shared_ptr<LabelMap> emptySteps(const Grid& grid) {
@@ -57,7 +60,8 @@ class SeedGrower {
     keepToBall(byTissues);
     if (!goOn(0.9)) return std::nullopt;
     GrowthCurve other = curveOf(byTissues);
-    const StructureSizes sizes = structureSizes(tissues->bodyVolume(), isGasAt(inside.front()));
+    StructureSizes sizes = structureSizes(tissues->bodyVolume(), isGasAt(inside.front()));
+    sizes.contrast = leastContrast * byValues_.noise().share();
     const auto byValue = clearestStep(curve, sizes, volume_.grid), byTissue = clearestStep(other, sizes, volume_.grid);
     if (byTissue && (!byValue || byTissue->clarity > byValue->clarity + tissuesHandicap)) {
       curve = std::move(other);
@@ -67,11 +71,11 @@ class SeedGrower {
       beginWith(curve, byValue->step);
     }
     const int automatic = curve.automatic;
-    StructureSizes added = sizes;
-    added.expected = curve.volume[static_cast<std::size_t>(automatic)];
-    added.most = std::min(sizes.most, std::max(mostOfRegion * added.expected, mostAdded * sizes.usual));
-    for (const glm::ivec3& seed : std::span(inside).subspan(1)) addTissueAt(seed, *tissues, added, automatic, *joins);
-    for (const glm::ivec3& seed : outside) takeTissueAt(seed, inside, *tissues, added, *joins);
+    // The region at the chosen step, whatever the tolerance: it must not depend on when seeds were added.
+    StructureSizes further = sizes;
+    further.expected = curve.volume[static_cast<std::size_t>(automatic)];
+    for (const glm::ivec3& seed : std::span(inside).subspan(1)) addTissueAt(seed, *tissues, further, automatic, *joins);
+    for (const glm::ivec3& seed : outside) takeTissueAt(seed, inside, *tissues, sizes, *joins);
     if (inside.size() > 1 || !outside.empty()) {
       // The tolerance stays: what is added and taken away is all that changes.
       curve = curveOf(*joins);
@@ -105,10 +109,12 @@ class SeedGrower {
 
   /// The clearest tissue at a further seed joins at the step `automatic`, with its own larger and smaller ones around
   /// it.
-  void addTissueAt(const glm::ivec3& seed, const TissueTree& tissues, const StructureSizes& sizes, int automatic,
+  void addTissueAt(const glm::ivec3& seed, const TissueTree& tissues, StructureSizes sizes, int automatic,
                    std::vector<Level>& joins) const {
     const std::size_t at = wholeOf(volume_.grid.dims).offset(seed);
     if (joins[at] < automatic) return;
+    const double share = isBeside(seed, joins, automatic) ? mostOfMissed : mostOfOther;
+    sizes.most = sizes.limit = std::min(sizes.most, std::max(share * sizes.expected, mostAdded * sizes.usual));
     std::vector<Level> own = tissues.joinsOf(volume_, std::span(&seed, 1));
     keepToBall(own);
     const auto clearest = clearestStep(curveOf(own), sizes, volume_.grid);
@@ -120,7 +126,8 @@ class SeedGrower {
 
   /// The clearest tissue at a seed outside that holds no seed inside leaves at every step, where it is nearer to it.
   void takeTissueAt(const glm::ivec3& seed, const std::vector<glm::ivec3>& inside, const TissueTree& tissues,
-                    const StructureSizes& sizes, std::vector<Level>& joins) const {
+                    StructureSizes sizes, std::vector<Level>& joins) const {
+    sizes.most = sizes.limit = std::numeric_limits<double>::infinity();
     const std::vector<Level> own = tissues.joinsOf(volume_, std::span(&seed, 1));
     int shared = stepCount;  // the last step without a seed inside
     for (const glm::ivec3 each : inside) shared = std::min<int>(shared, own[wholeOf(volume_.grid.dims).offset(each)]);
@@ -131,6 +138,15 @@ class SeedGrower {
     const std::vector<std::uint8_t> taken = tissues.takenBy(volume_, inside, std::span(&seed, 1));
     for (std::size_t i = 0; i < joins.size(); ++i)
       if (taken[i] && own[i] < last) joins[i] = never;
+  }
+
+  /// Whether the region of a step reaches close to a voxel.
+  bool isBeside(glm::ivec3 voxel, const std::vector<Level>& joins, int step) const {
+    const VoxelBox whole = wholeOf(volume_.grid.dims);
+    const std::vector<glm::ivec3> ball = ballOffsets(volume_.grid, besideRadius * voxelSide(volume_.grid));
+    return std::any_of(ball.begin(), ball.end(), [&](glm::ivec3 offset) {
+      return whole.contains(voxel + offset) && joins[whole.offset(voxel + offset)] < step;
+    });
   }
 
   bool isGasAt(glm::ivec3 seed) const {

@@ -109,11 +109,21 @@ TEST(ClearestStep, IsTheRegionThatStaysLongest) {
   EXPECT_EQ(clearest->step, 20);
 }
 
-TEST(ClearestStep, LeavesOutWhatIsTooLargeOrHasNoSurface) {
+TEST(ClearestStep, LeavesOutWhatIsTooLargeOrHasNoBorder) {
   const Grid grid = tests::gridOf(glm::ivec3(100));
-  EXPECT_FALSE(clearestStep(madeCurve({{10, 2e5}}, 3.0, 0.8), structureSizes(1e6, false), grid));
-  EXPECT_TRUE(clearestStep(madeCurve({{10, 2e5}}, 3.0, 0.8), structureSizes(1e6, true), grid));
-  EXPECT_FALSE(clearestStep(madeCurve({{10, 2e4}}, 0.0, 0.8), structureSizes(1e6, false), grid));
+  StructureSizes sizes = structureSizes(1e6, false);
+  EXPECT_FALSE(clearestStep(madeCurve({{10, 7e5}}, 3.0, 0.8), sizes, grid));
+  EXPECT_TRUE(clearestStep(madeCurve({{10, 2e4}}, 3.0, 0.8), sizes, grid));
+  sizes.contrast = 3.0;
+  EXPECT_FALSE(clearestStep(madeCurve({{10, 2e4}}, 3.0, 0.8), sizes, grid));
+}
+
+TEST(ClearestStep, ALargeRegionMustBeClearer) {
+  const Grid grid = tests::gridOf(glm::ivec3(100));
+  // 2e5 of 1e6 mm³ stays for 70 steps, 1e5 for 50: clearer by 0.3, and over 15 % of the body.
+  const GrowthCurve curve = madeCurve({{10, 1e5}, {60, 2e5}, {130, 9e5}}, 3.0, 0.8);
+  EXPECT_EQ(clearestStep(curve, structureSizes(1e6, false), grid)->step, 10);
+  EXPECT_EQ(clearestStep(curve, structureSizes(1e6, true), grid)->step, 60);  // a lung may be as large
 }
 
 TEST(ClearestStep, PrefersUsualSizes) {
