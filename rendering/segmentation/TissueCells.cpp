@@ -78,24 +78,37 @@ std::vector<float> sharpened(const std::vector<float>& tones, const CellNeighbou
   return result;
 }
 
-/// By cell: the neighbour of the least gradient, itself where none has less. Ties go to the first.
-std::vector<std::uint32_t> descents(const std::vector<float>& tones, const CellNeighbours& cells) {
+/// By cell: the greatest difference to a neighbour.
+std::vector<float> gradientsOf(const std::vector<float>& tones, const CellNeighbours& cells) {
   std::vector<float> gradient(tones.size(), 0.0f);
   cells.forPairs([&](std::size_t a, std::size_t b, int, glm::ivec3) {
     const float difference = std::abs(tones[a] - tones[b]);
     gradient[a] = std::max(gradient[a], difference);
     gradient[b] = std::max(gradient[b], difference);
   });
+  return gradient;
+}
+
+/// By cell: the neighbour of the least gradient, itself where none has less. Ties go to the first.
+std::vector<std::uint32_t> descents(const std::vector<float>& gradient, const CellNeighbours& cells) {
   const auto isLower = [&](std::size_t a, std::size_t b) {
     return gradient[a] < gradient[b] || (gradient[a] == gradient[b] && a < b);
   };
-  std::vector<std::uint32_t> next(tones.size());
+  std::vector<std::uint32_t> next(gradient.size());
   std::iota(next.begin(), next.end(), std::uint32_t{0});
   cells.forPairs([&](std::size_t a, std::size_t b, int, glm::ivec3) {
     if (isLower(b, next[a])) next[a] = static_cast<std::uint32_t>(b);
     if (isLower(a, next[b])) next[b] = static_cast<std::uint32_t>(a);
   });
   return next;
+}
+
+/// The lowest cell that the ways from a cell lead to; the ways are shortened as they are walked.
+std::uint32_t lowestFrom(std::uint32_t cell, std::vector<std::uint32_t>& next) {
+  std::uint32_t lowest = cell;
+  while (next[lowest] != lowest) lowest = next[lowest];
+  for (std::uint32_t at = cell; at != lowest;) at = std::exchange(next[at], lowest);
+  return lowest;
 }
 
 }  // namespace
@@ -130,13 +143,16 @@ CellNeighbours::CellNeighbours(const Grid& grid)
 }
 
 Basins basinsOf(const std::vector<float>& tones, const CellNeighbours& cells) {
-  std::vector<std::uint32_t> next = descents(tones, cells);
-  // The lowest cell of each basin, with ways shortened as they are walked.
-  for (std::uint32_t cell = 0; cell < next.size(); ++cell) {
-    std::uint32_t lowest = cell;
-    while (next[lowest] != lowest) lowest = next[lowest];
-    for (std::uint32_t at = cell; at != lowest;) at = std::exchange(next[at], lowest);
-  }
+  const std::vector<float> gradient = gradientsOf(tones, cells);
+  std::vector<std::uint32_t> next = descents(gradient, cells);
+  // Where tones are constant, such as in made volumes and in air, the bottom of a basin is flat.
+  cells.forPairs([&](std::size_t a, std::size_t b, int, glm::ivec3) {
+    if (gradient[a] != 0.0f || gradient[b] != 0.0f) return;
+    const std::uint32_t one = lowestFrom(static_cast<std::uint32_t>(a), next);
+    const std::uint32_t other = lowestFrom(static_cast<std::uint32_t>(b), next);
+    next[std::max(one, other)] = std::min(one, other);
+  });
+  for (std::uint32_t cell = 0; cell < next.size(); ++cell) lowestFrom(cell, next);
   Basins basins{std::vector<std::uint32_t>(next.size()), 0};
   for (std::uint32_t cell = 0; cell < next.size(); ++cell)
     if (next[cell] == cell) basins.numbers[cell] = basins.count++;

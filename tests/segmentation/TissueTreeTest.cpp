@@ -87,6 +87,20 @@ TEST(TissueMerger, AParentIsNoLowerThanItsChildren) {
   }
 }
 
+TEST(Basins, AFlatTissueIsOne) {
+  const Grid grid = gridOf(glm::ivec3(41));
+  const auto isIn = [](glm::ivec3 at, double within) { return inBall(at, glm::dvec3(20.0), within); };
+  std::vector<float> tones(grid.voxelCount());
+  tests::forEachVoxel(grid.dims, [&](glm::ivec3 at) { tones[grid.offset(at)] = isIn(at, 15.0) ? 40.0f : 0.0f; });
+  const Basins basins = basinsOf(tones, CellNeighbours(grid));
+  // By index alone, the cells at the ball's lower left would each begin a basin.
+  const std::uint32_t middle = basins.numbers[grid.offset(glm::ivec3(20))];
+  tests::forEachVoxel(grid.dims, [&](glm::ivec3 at) {
+    if (isIn(at, 13.0)) ASSERT_EQ(basins.numbers[grid.offset(at)], middle);
+    if (!isIn(at, 17.0)) ASSERT_EQ(basins.numbers[grid.offset(at)], basins.numbers.front());
+  });
+}
+
 TEST(TissueMerger, StopsWhenAsked) {
   const auto volume = noisyVolume(gridOf(glm::ivec3(64)), 20.0, [](glm::ivec3) { return 0.0; });
   EXPECT_EQ(TissueTree::build(*volume, [](double share) { return share < 0.3; }), nullptr);

@@ -36,16 +36,7 @@ RegionPanel::RegionPanel(Document& document, QWidget* parent)
       name_(new QLineEdit),
       colour_(new ColourButton(tr("Colour of the label"))),
       keep_(new QPushButton(tr("Keep"))) {
-  slider_->setRange(1, segmentation::stepCount);
-  slider_->setPageStep(8);
-  slider_->setToolTip(tr("How far values may lie from those at the click (Alt+wheel over a picture, keys , and .)"));
-  tolerance_->setKeyboardTracking(false);
-  tolerance_->setAlignment(Qt::AlignRight);
-  tolerance_->setToolTip(tr("Tolerance: how far values may lie below those at the click"));
-  automatic_->setText(tr("Auto"));
-  automatic_->setCheckable(true);
-  automatic_->setObjectName(QStringLiteral("choice"));
-  automatic_->setToolTip(tr("The tolerance is chosen from the plateaus"));
+  setUpTolerance();
   auto* hint =
       new QLabel(tr("Shift+click adds to the region, Ctrl+click takes away. Shift+drag draws a ball around a "
                     "structure, which its region does not leave."));
@@ -71,7 +62,24 @@ RegionPanel::RegionPanel(Document& document, QWidget* parent)
   column->addWidget(hint);
   column->addLayout(makeKeepRow());
 
-  History& history = document.history();
+  connect(ball_, &QDoubleSpinBox::valueChanged, &document, &Document::setBall);
+  connect(noBall_, &QToolButton::clicked, this, [this] { document_.setBall(0.0); });
+  connect(&document, &Document::focusChanged, this, &RegionPanel::showRegion);
+  showRegion();
+}
+
+void RegionPanel::setUpTolerance() {
+  slider_->setRange(1, segmentation::stepCount);
+  slider_->setPageStep(8);
+  slider_->setToolTip(tr("How far values may lie from those at the click (Alt+wheel over a picture, keys , and .)"));
+  tolerance_->setKeyboardTracking(false);
+  tolerance_->setAlignment(Qt::AlignRight);
+  tolerance_->setToolTip(tr("Tolerance: how far values may lie below those at the click"));
+  automatic_->setText(tr("Auto"));
+  automatic_->setCheckable(true);
+  automatic_->setObjectName(QStringLiteral("choice"));
+  automatic_->setToolTip(tr("The tolerance is chosen from the plateaus"));
+  History& history = document_.history();
   connect(slider_, &QSlider::sliderPressed, &history, &History::beginGesture);
   connect(slider_, &QSlider::sliderReleased, &history, &History::endGesture);
   connect(plot_, &TolerancePlot::dragBegun, &history, &History::beginGesture);
@@ -84,10 +92,6 @@ RegionPanel::RegionPanel(Document& document, QWidget* parent)
                                ? std::nullopt
                                : std::optional(document_.growth()->toleranceOf(document_.regionStep())));
   });
-  connect(ball_, &QDoubleSpinBox::valueChanged, &document, &Document::setBall);
-  connect(noBall_, &QToolButton::clicked, this, [this] { document_.setBall(0.0); });
-  connect(&document, &Document::focusChanged, this, &RegionPanel::showRegion);
-  showRegion();
 }
 
 QWidget* RegionPanel::makeBallRow() {

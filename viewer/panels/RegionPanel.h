@@ -43,6 +43,7 @@ class RegionPanel : public QWidget {
   void showNumbers();
   void showFacts();
   /// The radius of the ball that bounds the region.
+  void setUpTolerance();
   QWidget* makeBallRow();
   QLayout* makeKeepRow();
   void setStep(int step);

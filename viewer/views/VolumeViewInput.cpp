@@ -28,6 +28,7 @@ namespace {
 constexpr double clickSlack = 4.0;  ///< device-independent pixels between press and release of a click
 /// Delay before the picture is read under the mouse: a moving mouse reads nothing.
 constexpr int hoverMilliseconds = 40;
+constexpr double voxelsBehindSurface = 1.5;             ///< where a click without labels grows
 constexpr double arrowTurn = glm::pi<double>() / 36.0;  ///< 5 degrees
 
 }  // namespace
@@ -146,7 +147,10 @@ void VolumeView::click(const Hit& hit, Qt::KeyboardModifiers modifiers) {
   const glm::dvec3 seen = seenAt(hit);
   cursor_.moveTo(seen);
   Q_EMIT pointed(seen);
-  clickStructure(document_, seen, modifiers, options_.grows());
+  // The surface's voxels hold two tissues; what is meant lies behind them.
+  const glm::dvec3 behind = seen + voxelsBehindSurface * 2.0 * halfVoxel() * hit.ray;
+  const bool isOfLabel = document_.labelAt(seen) || !document_.voxelAt(behind);
+  clickStructure(document_, isOfLabel ? seen : behind, modifiers, options_.grows());
 }
 
 void VolumeView::mouseDoubleClickEvent(QMouseEvent* event) {
