@@ -96,8 +96,13 @@ TEST(Basins, AFlatTissueIsOne) {
   // By index alone, the cells at the ball's lower left would each begin a basin.
   const std::uint32_t middle = basins.numbers[grid.offset(glm::ivec3(20))];
   tests::forEachVoxel(grid.dims, [&](glm::ivec3 at) {
-    if (isIn(at, 13.0)) ASSERT_EQ(basins.numbers[grid.offset(at)], middle);
-    if (!isIn(at, 17.0)) ASSERT_EQ(basins.numbers[grid.offset(at)], basins.numbers.front());
+    const std::uint32_t number = basins.numbers[grid.offset(at)];
+    if (isIn(at, 13.0)) {
+      ASSERT_EQ(number, middle);
+    }
+    if (!isIn(at, 17.0)) {
+      ASSERT_EQ(number, basins.numbers.front());
+    }
   });
 }
 
