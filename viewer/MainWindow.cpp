@@ -92,6 +92,8 @@ MainWindow::MainWindow(const Setup& setup, QWidget* parent)
                           *sessions_, *views_, gl_, [this] { resetLayout(); }, *panels_.cutaway, *guide_, *tour_});
   setStatusBar(new StatusBar(workspace_.document, *views_, gl_));
   // Below the pictures: a bar above them would resize them, and each click would draw them again.
+  // What comes and goes in the status bar must not make the window wider.
+  statusBar()->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
   statusBar()->addPermanentWidget(new WaitingBar(*views_));
   statusBar()->addPermanentWidget(
       new LoadingBar(grower_.job(), tr("Growing the region"), [this] { grower_.cancel(); }));

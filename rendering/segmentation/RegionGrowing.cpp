@@ -17,9 +17,10 @@ namespace {
 // Chosen on the marked structures of tests/bench/results/growing.md.
 /// Of the clarity: a region by tissues must be clearer than one by values by this much.
 constexpr double tissuesHandicap = 0.25;
-// A further seed beside the region adds no more than this share of it, or this multiple of a structure's usual size:
-// what a click missed is seldom larger, a leak is. Apart from it, it means a structure of its own.
-constexpr double mostOfMissed = 0.5, mostAdded = 20.0;
+// A further seed adds no more than these multiples of the region, beside it or apart from it, or than this multiple of
+// a structure's usual size: what a click missed is seldom larger, a leak is. Apart from it, it means a structure of its
+// own, which may be far larger.
+constexpr double mostOfMissed = 0.5, mostOfOther = 10.0, mostAdded = 20.0;
 constexpr double leastContrast = 1.0;  ///< deviations of the noise, of a border
 constexpr double besideRadius = 4.0;   ///< voxel sides
 
@@ -113,8 +114,8 @@ class SeedGrower {
                    std::vector<Level>& joins) const {
     const std::size_t at = wholeOf(volume_.grid.dims).offset(seed);
     if (joins[at] < automatic) return;
-    if (isBeside(seed, joins, automatic))
-      sizes.most = sizes.limit = std::min(sizes.most, std::max(mostOfMissed * sizes.expected, mostAdded * sizes.usual));
+    const double share = isBeside(seed, joins, automatic) ? mostOfMissed : mostOfOther;
+    sizes.most = sizes.limit = std::min(sizes.most, std::max(share * sizes.expected, mostAdded * sizes.usual));
     std::vector<Level> own = tissues.joinsOf(volume_, std::span(&seed, 1));
     keepToBall(own);
     const auto clearest = clearestStep(curveOf(own), sizes, volume_.grid);

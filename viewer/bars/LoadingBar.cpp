@@ -17,6 +17,7 @@ LoadingBar::LoadingBar(LoadJob& job, const QString& title, std::function<void()>
   auto* progress = new QProgressBar;
   progress->setRange(0, 100);
   progress->setTextVisible(false);
+  progress->setMinimumWidth(60);
   auto* button = new QPushButton(tr("Cancel"));
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(10, 5, 6, 5);
