@@ -35,7 +35,7 @@ constexpr double stayWeight = 0.5;   ///< for each octave of tolerance
 constexpr double longestStay = 2.0;  ///< octaves: more is no better
 constexpr double sizeWeight = 1.8;
 constexpr double excessWeight = 0.5;
-constexpr double oversizeCost = 1.0;
+constexpr double oversizeCost = 3.0;
 constexpr double usualStructure = 2e-4;  ///< of the body's volume
 constexpr double mostStructure = 0.15, mostGas = 0.6;
 
