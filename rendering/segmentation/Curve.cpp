@@ -34,6 +34,7 @@ constexpr double compactnessWeight = 0.9;
 constexpr double stayWeight = 0.5;   ///< for each octave of tolerance
 constexpr double longestStay = 2.0;  ///< octaves: more is no better
 constexpr double sizeWeight = 1.8;
+constexpr double mostForSize = 1.0;  ///< a clear lesion is one, however small
 constexpr double excessWeight = 0.5;
 constexpr double oversizeCost = 3.0;
 constexpr double usualStructure = 2e-4;  ///< of the body's volume
@@ -216,7 +217,7 @@ std::optional<ClearestStep> clearestStep(const GrowthCurve& curve, const Structu
     const double octaves = std::min(longestStay, static_cast<double>(changes - step) / levelsPerOctave);
     const double clarity = sharpnessWeight * std::log(curve.contrast[step]) +
                            compactnessWeight * std::log(std::min(1.0, curve.compactness[step])) + stayWeight * octaves +
-                           sizeWeight * std::min(0.0, std::log(volume / sizes.usual)) -
+                           std::max(-mostForSize, sizeWeight * std::min(0.0, std::log(volume / sizes.usual))) -
                            (volume > sizes.most ? oversizeCost : 0.0) -
                            excessWeight * std::max(0.0, std::log(volume / sizes.expected));
     if (!clearest || clarity >= clearest->clarity) clearest = {static_cast<int>(step), clarity};
