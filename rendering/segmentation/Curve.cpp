@@ -27,18 +27,19 @@ constexpr double largestGrowth = 3.0;     ///< of the volume's logarithm: more i
 constexpr double plateauShare = 0.1;      ///< volumes within this share of the best one's are the same plateau
 constexpr double leastStructure = 500.0;  ///< mm³, a ball of a centimetre: specks are smaller
 
-// The clearest step among all of a flood and of a volume's tissues. Chosen on the structures marked in growing.md by
-// coordinate search over the mean Dice, 0.3 less for each region of more than twice the structure's size.
+// Weights of the clarity in clearestStep(). The first five were chosen by coordinate search over the mean Dice, 0.3
+// less for each region of more than twice the structure's size, on the structures marked in growing.md; the others by
+// trial on some of them.
 constexpr double sharpnessWeight = 0.7;
 constexpr double compactnessWeight = 0.9;
-constexpr double stayWeight = 0.5;   ///< for each octave of tolerance
-constexpr double longestStay = 2.0;  ///< octaves: more is no better
-constexpr double sizeWeight = 1.8;
-constexpr double mostForSize = 1.0;  ///< a clear lesion is one, however small
-constexpr double excessWeight = 0.5;
-constexpr double oversizeCost = 3.0;
+constexpr double stayWeight = 0.5;       ///< for each octave of tolerance
+constexpr double sizeWeight = 1.8;       ///< below the usual size
 constexpr double usualStructure = 2e-4;  ///< of the body's volume
-constexpr double mostStructure = 0.15, mostGas = 0.6;
+constexpr double longestStay = 2.0;      ///< octaves: more is no better
+constexpr double mostForSize = 1.0;      ///< what a small size costs at most, so that a sharp lesion still is one
+constexpr double excessWeight = 0.5;     ///< beyond the expected size
+constexpr double oversizeCost = 3.0;     ///< beyond the greatest size: more than sharpness and stay can bring
+constexpr double mostStructure = 0.15, mostGas = 0.6;  ///< of the body's volume
 
 /// Steps over which growth is looked at: half an octave of tolerance.
 constexpr auto lately = static_cast<std::size_t>(levelsPerOctave / 2.0);
@@ -202,24 +203,27 @@ GrowthCurve growthCurve(std::span<const Level> joins, std::span<const Level> cos
   return curve;
 }
 
-StructureSizes structureSizes(double body, bool isGas) {
+StructurePrior structurePrior(double body, bool isGas) {
   return {.usual = usualStructure * body, .most = (isGas ? mostGas : mostStructure) * body, .limit = mostGas * body};
 }
 
-std::optional<ClearestStep> clearestStep(const GrowthCurve& curve, const StructureSizes& sizes, const Grid& grid) {
+std::optional<ClearestStep> clearestStep(const GrowthCurve& curve, const StructurePrior& prior, const Grid& grid,
+                                         int last) {
   std::optional<ClearestStep> clearest;
   const double least = leastVoxels * grid.voxelVolume();
   std::size_t changes = curve.volume.size();  // the next step with another region
   for (std::size_t step = curve.volume.size(); step-- > 1;) {
     const double volume = curve.volume[step];
     if (step + 1 < curve.volume.size() && curve.volume[step + 1] != volume) changes = step + 1;
-    if (volume < least || volume > sizes.limit || curve.contrast[step] <= sizes.contrast) continue;
+    if (static_cast<int>(step) > last || volume < least || volume > prior.limit ||
+        curve.contrast[step] <= prior.contrast)
+      continue;
     const double octaves = std::min(longestStay, static_cast<double>(changes - step) / levelsPerOctave);
     const double clarity = sharpnessWeight * std::log(curve.contrast[step]) +
                            compactnessWeight * std::log(std::min(1.0, curve.compactness[step])) + stayWeight * octaves +
-                           std::max(-mostForSize, sizeWeight * std::min(0.0, std::log(volume / sizes.usual))) -
-                           (volume > sizes.most ? oversizeCost : 0.0) -
-                           excessWeight * std::max(0.0, std::log(volume / sizes.expected));
+                           std::max(-mostForSize, sizeWeight * std::min(0.0, std::log(volume / prior.usual))) -
+                           excessWeight * std::max(0.0, std::log(volume / prior.expected)) -
+                           (volume > prior.most ? oversizeCost : 0.0);
     if (!clearest || clarity >= clearest->clarity) clearest = {static_cast<int>(step), clarity};
   }
   return clearest;

@@ -38,25 +38,25 @@ struct GrowthCurve {
 GrowthCurve growthCurve(std::span<const Level> joins, std::span<const Level> costs, const Grid& grid, glm::ivec3 dims,
                         double noiseShare);
 
-/// Which sizes a structure may have in a body, mm³.
-struct StructureSizes {
-  double usual = 0.0;  ///< what is smaller is less likely to be meant, the more the smaller it is
-  double most = 0.0;   ///< what is larger must be clearer
-  double limit = std::numeric_limits<double>::infinity();     ///< what is larger is no structure
-  double contrast = 0.0;                                      ///< noise units: a border with less is none
-  double expected = std::numeric_limits<double>::infinity();  ///< what is larger is less likely to be meant
+/// What is known of a structure before its region is: sizes in mm³, and its border.
+struct StructurePrior {
+  double usual = 0.0;  ///< a smaller region is less likely to be meant, the more the smaller it is
+  double most = 0.0;   ///< a larger region counts only where no other one is clear
+  double limit = std::numeric_limits<double>::infinity();     ///< a larger region is no structure
+  double expected = std::numeric_limits<double>::infinity();  ///< a larger region is less likely to be meant
+  double contrast = 0.0;                                      ///< noise units: a surface with less is no border
 };
-/// `body`: volume in mm³. Gas is the body's own: lungs may take up most of what a scan of the chest shows.
-StructureSizes structureSizes(double body, bool isGas);
+/// Of a body of `body` mm³. A region of gas may be larger: lungs take up most of what a scan of the chest shows.
+StructurePrior structurePrior(double body, bool isGas);
 
-/// The step whose region is most clearly one structure, by the sharpness and compactness of its surface, by how far the
-/// tolerance can rise until it changes, and by its size.
 struct ClearestStep {
   int step = 0;
   double clarity = 0.0;  ///< a logarithm, comparable between curves of one volume
 };
-/// Empty where no region has a structure's size and a surface.
-std::optional<ClearestStep> clearestStep(const GrowthCurve& curve, const StructureSizes& sizes, const Grid& grid);
+/// The step up to `last` whose region is most clearly one structure: its surface is sharp and compact, the tolerance
+/// can rise far until it changes, and its size is a structure's. Empty where no region is one.
+std::optional<ClearestStep> clearestStep(const GrowthCurve& curve, const StructurePrior& prior, const Grid& grid,
+                                         int last = stepCount);
 
 /// Begins with `step`, which becomes a plateau where it is none.
 void beginWith(GrowthCurve& curve, int step);

@@ -15,8 +15,7 @@ namespace fenestra::segmentation {
 namespace {
 
 // Chosen on the marked structures of tests/bench/results/growing.md.
-/// Of the clarity: a region by tissues must be clearer than one by values by this much.
-constexpr double tissuesHandicap = 0.25;
+constexpr double tissuesHandicap = 0.25;  ///< of the clarity: a region by tissues must be clearer by this much
 // A further seed adds no more than these multiples of the region, beside it or apart from it, or than this multiple of
 // a structure's usual size: what a click missed is seldom larger, a leak is. Apart from it, it means a structure of its
 // own, which may be far larger.
@@ -61,9 +60,9 @@ class SeedGrower {
     keepToBall(byTissues);
     if (!goOn(0.9)) return std::nullopt;
     GrowthCurve other = curveOf(byTissues);
-    StructureSizes sizes = structureSizes(tissues->bodyVolume(), isGasAt(inside.front()));
-    sizes.contrast = leastContrast * byValues_.noise().share();
-    const auto byValue = clearestStep(curve, sizes, volume_.grid), byTissue = clearestStep(other, sizes, volume_.grid);
+    StructurePrior prior = structurePrior(tissues->bodyVolume(), isGasAt(inside.front()));
+    prior.contrast = leastContrast * byValues_.noise().share();
+    const auto byValue = clearestStep(curve, prior, volume_.grid), byTissue = clearestStep(other, prior, volume_.grid);
     if (byTissue && (!byValue || byTissue->clarity > byValue->clarity + tissuesHandicap)) {
       curve = std::move(other);
       joins = std::move(byTissues);
@@ -73,10 +72,10 @@ class SeedGrower {
     }
     const int automatic = curve.automatic;
     // The region at the chosen step, whatever the tolerance: it must not depend on when seeds were added.
-    StructureSizes further = sizes;
+    StructurePrior further = prior;
     further.expected = curve.volume[static_cast<std::size_t>(automatic)];
     for (const glm::ivec3& seed : std::span(inside).subspan(1)) addTissueAt(seed, *tissues, further, automatic, *joins);
-    for (const glm::ivec3& seed : outside) takeTissueAt(seed, inside, *tissues, sizes, *joins);
+    for (const glm::ivec3& seed : outside) takeTissueAt(seed, inside, *tissues, prior, *joins);
     if (inside.size() > 1 || !outside.empty()) {
       // The tolerance stays: what is added and taken away is all that changes.
       curve = curveOf(*joins);
@@ -110,15 +109,15 @@ class SeedGrower {
 
   /// The clearest tissue at a further seed joins at the step `automatic`, with its own larger and smaller ones around
   /// it.
-  void addTissueAt(const glm::ivec3& seed, const TissueTree& tissues, StructureSizes sizes, int automatic,
+  void addTissueAt(const glm::ivec3& seed, const TissueTree& tissues, StructurePrior prior, int automatic,
                    std::vector<Level>& joins) const {
     const std::size_t at = wholeOf(volume_.grid.dims).offset(seed);
     if (joins[at] < automatic) return;
     const double share = isBeside(seed, joins, automatic) ? mostOfMissed : mostOfOther;
-    sizes.most = sizes.limit = std::min(sizes.most, std::max(share * sizes.expected, mostAdded * sizes.usual));
+    prior.most = prior.limit = std::min(prior.most, std::max(share * prior.expected, mostAdded * prior.usual));
     std::vector<Level> own = tissues.joinsOf(volume_, std::span(&seed, 1));
     keepToBall(own);
-    const auto clearest = clearestStep(curveOf(own), sizes, volume_.grid);
+    const auto clearest = clearestStep(curveOf(own), prior, volume_.grid);
     const int shift = automatic - (clearest ? clearest->step : 1);
     for (std::size_t i = 0; i < joins.size(); ++i)
       if (own[i] != never)
@@ -127,15 +126,13 @@ class SeedGrower {
 
   /// The clearest tissue at a seed outside that holds no seed inside leaves at every step, where it is nearer to it.
   void takeTissueAt(const glm::ivec3& seed, const std::vector<glm::ivec3>& inside, const TissueTree& tissues,
-                    StructureSizes sizes, std::vector<Level>& joins) const {
-    sizes.most = sizes.limit = std::numeric_limits<double>::infinity();
-    const std::vector<Level> own = tissues.joinsOf(volume_, std::span(&seed, 1));
-    int shared = stepCount;  // the last step without a seed inside
-    for (const glm::ivec3 each : inside) shared = std::min<int>(shared, own[wholeOf(volume_.grid.dims).offset(each)]);
-    GrowthCurve curve = curveOf(own);
-    std::fill(curve.volume.begin() + shared + 1, curve.volume.end(), std::numeric_limits<double>::infinity());
-    const auto clearest = clearestStep(curve, sizes, volume_.grid);
-    const int last = clearest ? clearest->step : std::max(1, shared);
+                    StructurePrior prior, std::vector<Level>& joins) const {
+    prior.most = prior.limit = std::numeric_limits<double>::infinity();
+    const std::vector<Level> own = tissues.joinsOf(volume_, std::span(&seed, 1), inside);
+    int apart = stepCount;  // the last step that holds no seed inside
+    for (const glm::ivec3 each : inside) apart = std::min<int>(apart, own[wholeOf(volume_.grid.dims).offset(each)]);
+    const auto clearest = clearestStep(curveOf(own), prior, volume_.grid, apart);
+    const int last = clearest ? clearest->step : std::max(1, apart);
     const std::vector<std::uint8_t> taken = tissues.takenBy(volume_, inside, std::span(&seed, 1));
     for (std::size_t i = 0; i < joins.size(); ++i)
       if (taken[i] && own[i] < last) joins[i] = never;
@@ -150,10 +147,7 @@ class SeedGrower {
     });
   }
 
-  bool isGasAt(glm::ivec3 seed) const {
-    constexpr double gas = -400.0;  // HU
-    return volume_.isInHounsfieldUnits() && volume_.value(seed) < gas;
-  }
+  bool isGasAt(glm::ivec3 seed) const { return volume_.isInHounsfieldUnits() && volume_.value(seed) < gasBelow; }
 
   GrowthCurve curveOf(const std::vector<Level>& joins) const {
     return growthCurve(joins, byValues_.costs(), volume_.grid, box_.dims(), byValues_.noise().share());

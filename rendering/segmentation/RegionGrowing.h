@@ -9,9 +9,9 @@
 //
 // By tissues: the volume's tissues are found first, and merged two by two (TissueTree.h). A voxel joins at the cost of
 // the first merge that holds it and the seed. Of all regions of the first seed, by values and by tissues, the clearest
-// one opens (Curve.h), unless it would be more of the body than a structure is. A further seed adds its own clearest
-// region at the same tolerance. A seed outside takes away the largest tissue that holds no seed inside, where it is
-// nearer to it.
+// one is chosen (Curve.h); one that is more of the body than a structure is only where nothing else is clear. A further
+// seed adds its own clearest region at the same tolerance. A seed outside takes away its clearest tissue that holds no
+// seed inside, where it is nearer to it.
 
 #include <functional>
 #include <memory>

@@ -12,7 +12,6 @@ namespace {
 
 constexpr double mostCells = 3e6;
 constexpr float leastEdge = 1.0f;    ///< units of the noise: edges with less are not sharpened
-constexpr double airBelow = -400.0;  ///< HU
 constexpr double softTissue = 40.0;  ///< HU
 
 /// As even in mm as whole voxels allow, and no more cells than mostCells.
@@ -124,7 +123,7 @@ TissueCells tissueCells(const Volume& volume) {
   cells.reference = isCt ? softTissue : window.level;
   const ToneScale scale(means, cells.noise, cells.reference);
   cells.tones = sharpened(smoothedTones(means, wholeOf(means.grid.dims), scale), CellNeighbours(means.grid));
-  const double air = isCt ? airBelow : window.level - 0.5 * window.width;
+  const double air = isCt ? gasBelow : window.level - 0.5 * window.width;
   const std::span<const float> values = means.voxels.as<float>();
   const auto body = std::count_if(values.begin(), values.end(), [&](float value) { return value >= air; });
   cells.bodyVolume = static_cast<double>(body) * means.grid.voxelVolume();

@@ -11,6 +11,8 @@
 
 namespace fenestra::segmentation {
 
+inline constexpr double gasBelow = -400.0;  ///< HU
+
 /// Cells as even in mm as whole voxels allow, some three million at most. Those at the far ends may hold fewer voxels.
 struct TissueCells {
   Grid grid;

@@ -115,14 +115,16 @@ std::vector<Level> TissueTree::leafJoins(std::span<const glm::ivec3> inside) con
   return joins;
 }
 
-std::vector<Level> TissueTree::enclosures(std::span<const Level> joins) const {
+std::vector<Level> TissueTree::enclosures(std::span<const Level> joins, std::span<const glm::ivec3> others) const {
   std::vector<Level> greatest(joins.size(), 0);
   std::array<std::vector<std::uint32_t>, 256> waiting;
+  const auto begin = [&](std::uint32_t leaf) {
+    greatest[leaf] = joins[leaf];
+    waiting[joins[leaf]].push_back(leaf);
+  };
   for (std::uint32_t leaf = 0; leaf < joins.size(); ++leaf)
-    if (isAtFace_[leaf]) {
-      greatest[leaf] = joins[leaf];
-      waiting[joins[leaf]].push_back(leaf);
-    }
+    if (isAtFace_[leaf]) begin(leaf);
+  for (const glm::ivec3 seed : others) begin(leafAt(seed));
   for (std::size_t level = waiting.size(); level-- > 1;)
     for (std::size_t i = 0; i < waiting[level].size(); ++i) {
       const std::uint32_t leaf = waiting[level][i];
@@ -137,8 +139,8 @@ std::vector<Level> TissueTree::enclosures(std::span<const Level> joins) const {
   return greatest;
 }
 
-void TissueTree::fillPockets(std::vector<Level>& joins) const {
-  const std::vector<Level> enclosed = enclosures(joins);
+void TissueTree::fillPockets(std::vector<Level>& joins, std::span<const glm::ivec3> others) const {
+  const std::vector<Level> enclosed = enclosures(joins, others);
   std::array<double, 256> volumes{};
   for (std::size_t leaf = 0; leaf < joins.size(); ++leaf) volumes[joins[leaf]] += static_cast<double>(volumes_[leaf]);
   for (std::size_t level = 1; level < volumes.size(); ++level) volumes[level] += volumes[level - 1];
@@ -243,9 +245,10 @@ void TissueTree::forTile(const Volume& volume, const ToneScale& scale, const Vox
   }
 }
 
-std::vector<Level> TissueTree::joinsOf(const Volume& volume, std::span<const glm::ivec3> inside) const {
+std::vector<Level> TissueTree::joinsOf(const Volume& volume, std::span<const glm::ivec3> inside,
+                                       std::span<const glm::ivec3> others) const {
   std::vector<Level> byLeaf = leafJoins(inside);
-  fillPockets(byLeaf);
+  fillPockets(byLeaf, others);
   std::vector<Level> joins(volume.grid.voxelCount());
   forVoxels(
       volume, [&](std::uint32_t a, std::uint32_t b) { return byLeaf[a] == byLeaf[b]; },

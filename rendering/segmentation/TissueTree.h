@@ -33,10 +33,12 @@ class TissueTree {
 
   /// The levels at which voxels join a region that starts at the voxels `inside`: that of the least merge which holds a
   /// seed and the voxel; 0 in a seed's own leaf. A pocket that a region encloses and that is less than half as large
-  /// joins with what encloses it: marrow belongs to its bone, vessels to their lung. A cell on a border holds voxels of
-  /// several leaves: each belongs to the leaf among those around it whose mean is nearest to its own value, smoothed.
-  /// Costs are in units of noise(). Entry i is of voxel i of the volume. Runs on all cores.
-  std::vector<Level> joinsOf(const Volume& volume, std::span<const glm::ivec3> inside) const;
+  /// joins with what encloses it, unless it holds a seed of `others`: marrow belongs to its bone, vessels to their
+  /// lung. A cell on a border holds voxels of several leaves: each belongs to the leaf among those around it whose mean
+  /// is nearest to its own value, smoothed. Costs are in units of the noise. Entry i is of voxel i of the volume. Runs
+  /// on all cores.
+  std::vector<Level> joinsOf(const Volume& volume, std::span<const glm::ivec3> inside,
+                             std::span<const glm::ivec3> others = {}) const;
 
   /// By voxel: 1 in the largest tissues that hold a seed of `outside` and none of `inside`, where one outside is
   /// nearer. Ways lead from leaf to leaf, and are as long as the edges that they cross are high; in a leaf that holds
@@ -49,8 +51,6 @@ class TissueTree {
   std::size_t heldBytes() const;
 
  private:
-  friend class TissueMerger;
-
   static constexpr std::uint32_t none = UINT32_MAX;
 
   struct Neighbour {
@@ -61,9 +61,10 @@ class TissueTree {
   std::uint32_t leafAt(glm::ivec3 voxel) const;
   std::span<const Neighbour> neighboursOf(std::uint32_t leaf) const;
   std::vector<Level> leafJoins(std::span<const glm::ivec3> inside) const;
-  /// By leaf: the greatest level that a way from it to the volume's faces can keep below all along; its own at most.
-  std::vector<Level> enclosures(std::span<const Level> joins) const;
-  void fillPockets(std::vector<Level>& joins) const;
+  /// By leaf: the level that encloses it, which is its own where nothing does: of the ways from it to a face of the
+  /// volume or to a leaf of `others`, the one that joins last; on a way its first leaf to join counts.
+  std::vector<Level> enclosures(std::span<const Level> joins, std::span<const glm::ivec3> others) const;
+  void fillPockets(std::vector<Level>& joins, std::span<const glm::ivec3> others) const;
   /// By leaf: the least sum of edges on a way from a seed.
   std::vector<float> distancesFrom(std::span<const glm::ivec3> seeds) const;
   /// By node: whether it holds a seed.

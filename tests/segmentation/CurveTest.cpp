@@ -101,38 +101,47 @@ GrowthCurve madeCurve(const std::vector<std::pair<int, double>>& volumes, double
 }
 
 TEST(ClearestStep, IsTheRegionThatStaysLongest) {
-  const StructureSizes sizes = structureSizes(1e6, false);
+  const StructurePrior prior = structurePrior(1e6, false);
   const Grid grid = tests::gridOf(glm::ivec3(100));
   const auto clearest = clearestStep(
-      madeCurve({{10, 5000.0}, {20, 6000.0}, {60, 7000.0}, {70, 9000.0}, {80, 2e5}}, 3.0, 0.8), sizes, grid);
+      madeCurve({{10, 5000.0}, {20, 6000.0}, {60, 7000.0}, {70, 9000.0}, {80, 2e5}}, 3.0, 0.8), prior, grid);
   ASSERT_TRUE(clearest);
   EXPECT_EQ(clearest->step, 20);
 }
 
 TEST(ClearestStep, LeavesOutWhatIsTooLargeOrHasNoBorder) {
   const Grid grid = tests::gridOf(glm::ivec3(100));
-  StructureSizes sizes = structureSizes(1e6, false);
-  EXPECT_FALSE(clearestStep(madeCurve({{10, 7e5}}, 3.0, 0.8), sizes, grid));
-  EXPECT_TRUE(clearestStep(madeCurve({{10, 2e4}}, 3.0, 0.8), sizes, grid));
-  sizes.contrast = 3.0;
-  EXPECT_FALSE(clearestStep(madeCurve({{10, 2e4}}, 3.0, 0.8), sizes, grid));
+  StructurePrior prior = structurePrior(1e6, false);
+  EXPECT_FALSE(clearestStep(madeCurve({{10, 7e5}}, 3.0, 0.8), prior, grid));
+  EXPECT_TRUE(clearestStep(madeCurve({{10, 2e4}}, 3.0, 0.8), prior, grid));
+  prior.contrast = 3.0;
+  EXPECT_FALSE(clearestStep(madeCurve({{10, 2e4}}, 3.0, 0.8), prior, grid));
 }
 
 TEST(ClearestStep, ALargeRegionMustBeClearer) {
   const Grid grid = tests::gridOf(glm::ivec3(100));
   // 2e5 of 1e6 mm³ stays for 70 steps, 1e5 for 50: clearer by 0.3, and over 15 % of the body.
   const GrowthCurve curve = madeCurve({{10, 1e5}, {60, 2e5}, {130, 9e5}}, 3.0, 0.8);
-  EXPECT_EQ(clearestStep(curve, structureSizes(1e6, false), grid)->step, 10);
-  EXPECT_EQ(clearestStep(curve, structureSizes(1e6, true), grid)->step, 60);  // a lung may be as large
+  EXPECT_EQ(clearestStep(curve, structurePrior(1e6, false), grid)->step, 10);
+  EXPECT_EQ(clearestStep(curve, structurePrior(1e6, true), grid)->step, 60);  // a lung may be as large
 }
 
 TEST(ClearestStep, PrefersUsualSizes) {
   const Grid grid = tests::gridOf(glm::ivec3(100));
-  StructureSizes sizes = structureSizes(1e8, false);  // usual: 20 ml
+  StructurePrior prior = structurePrior(1e8, false);  // usual: 20 ml
   const GrowthCurve curve = madeCurve({{100, 2000.0}, {140, 25000.0}, {170, 90000.0}, {190, 5e7}}, 3.0, 0.8);
-  EXPECT_EQ(clearestStep(curve, sizes, grid)->step, 140);
-  sizes.expected = 25000.0;
-  EXPECT_EQ(clearestStep(curve, sizes, grid)->step, 140);
+  EXPECT_EQ(clearestStep(curve, prior, grid)->step, 140);
+  prior.expected = 25000.0;
+  EXPECT_EQ(clearestStep(curve, prior, grid)->step, 140);
+}
+
+TEST(ClearestStep, LooksNoFurtherThanAsked) {
+  const Grid grid = tests::gridOf(glm::ivec3(100));
+  const StructurePrior prior = structurePrior(1e6, false);
+  const GrowthCurve curve = madeCurve({{10, 1000.0}, {30, 2000.0}, {90, 2e5}}, 3.0, 0.8);
+  EXPECT_EQ(clearestStep(curve, prior, grid)->step, 30);
+  EXPECT_EQ(clearestStep(curve, prior, grid, 29)->step, 10);
+  EXPECT_FALSE(clearestStep(curve, prior, grid, 9));
 }
 
 TEST(BeginWith, MakesAPlateauWhereThereIsNone) {

@@ -132,6 +132,10 @@ TEST(TissueTree, SmallPocketsBelongToWhatEnclosesThem) {
   const auto marrow = shellAround(9.0);  // a fifth of the ball
   const auto bone = TissueTree::build(*marrow);
   EXPECT_GT(bestDice(joinsFrom(*bone, *marrow, inShell), marrow->grid, filled), 0.97);
+  // With a seed of its own it stays open.
+  const glm::ivec3 inPocket(centre);
+  const std::vector<Level> open = bone->joinsOf(*marrow, std::span(&inShell, 1), std::span(&inPocket, 1));
+  EXPECT_GT(bestDice(open, marrow->grid, [&](glm::ivec3 at) { return filled(at) && !inBall(at, centre, 9.0); }), 0.95);
   // From within, the pocket is a tissue of its own.
   const auto hollow = [&](glm::ivec3 at) { return inBall(at, centre, 9.0); };
   EXPECT_GT(bestDice(joinsFrom(*bone, *marrow, glm::ivec3(centre)), marrow->grid, hollow), 0.95);

@@ -149,8 +149,8 @@ void VolumeView::click(const Hit& hit, Qt::KeyboardModifiers modifiers) {
   Q_EMIT pointed(seen);
   // The surface's voxels hold two tissues; what is meant lies behind them.
   const glm::dvec3 behind = seen + voxelsBehindSurface * 2.0 * halfVoxel() * hit.ray;
-  const bool isOfLabel = document_.labelAt(seen) || !document_.voxelAt(behind);
-  clickStructure(document_, isOfLabel ? seen : behind, modifiers, options_.grows());
+  const bool grows = !document_.labelAt(seen) && document_.voxelAt(behind);
+  clickStructure(document_, grows ? behind : seen, modifiers, options_.grows());
 }
 
 void VolumeView::mouseDoubleClickEvent(QMouseEvent* event) {
