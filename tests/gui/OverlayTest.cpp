@@ -318,18 +318,5 @@ TEST(Overlay, TextOfTheStudyStaysInTheUpperThirdOfAView) {
   }
 }
 
-TEST(Overlay, TextOfTheStudyLeavesTheMiddleOfSmallViewsFree) {
-  for (const int height : {120, 160, 240, 400}) {
-    QImage image(300, height, QImage::Format_RGB32);
-    image.fill(Qt::black);
-    QPainter painter(&image);
-    drawStudyText(painter, image.rect(), QStringList(12, QStringLiteral("XXXX")), 1);
-    painter.end();
-    const QImage below = image.copy(0, height / 2, image.width(), height - height / 2);
-    EXPECT_EQ(linesIn(below), 0) << height;
-    EXPECT_GT(linesIn(image), 0) << height;
-  }
-}
-
 }  // namespace
 }  // namespace fenestra::viewer

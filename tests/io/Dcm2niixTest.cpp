@@ -208,30 +208,12 @@ std::string differenceOf(const io::OpenedVolume& opened, const std::vector<Nifti
 
 /// All volumes at one place.
 void compareAt(const fs::path& place, const fs::path& out, DifferentialCounts& counts) {
-  std::vector<io::SeriesInfo> series;
-  try {
-    series = io::listSeries(place);
-    if (series.front().modality.empty()) return;  // no DICOM
-  } catch (const io::Error&) {
-    return;  // no image: letters, references, segmentations
-  }
+  const std::vector<io::SeriesInfo> series = imageSeriesAt(place);
+  if (series.empty()) return;
   const std::vector<NiftiImage> images = convert(place, out);
-  for (const io::SeriesInfo& info : series) {
-    const io::OpenedVolume opened = io::openVolume(place, {.series = info.id, .regularise = io::Regularise::Off});
-    const std::string found = differenceOf(opened, images);
-    ++counts.compared;
-    if (found.empty()) {
-      ++counts.agreeing;
-      continue;
-    }
-    const Difference* why = differenceAt(differences, place);
-    if (!why) {
-      ADD_FAILURE() << place << ", " << info.id << ": " << found;
-      continue;
-    }
-    ++counts.explained;
-    std::cout << place.filename() << ": " << found << "; " << why->why << "\n";
-  }
+  compareSeries(
+      place, series, differences, [&images](const io::OpenedVolume& opened) { return differenceOf(opened, images); },
+      counts);
 }
 
 }  // namespace

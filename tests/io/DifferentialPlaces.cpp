@@ -1,8 +1,12 @@
 #include "tests/io/DifferentialPlaces.h"
 
 #include <algorithm>
+#include <iostream>
 #include <set>
 
+#include <gtest/gtest.h>
+
+#include "io/base/Error.h"
 #include "tests/support/TestData.h"
 
 namespace fenestra::tests {
@@ -51,6 +55,36 @@ std::vector<fs::path> dicomPlaces() {
 std::string DifferentialCounts::text() const {
   return std::to_string(compared) + " compared, " + std::to_string(agreeing) + " agree, " + std::to_string(explained) +
          " explained";
+}
+
+std::vector<io::SeriesInfo> imageSeriesAt(const fs::path& place) {
+  try {
+    std::vector<io::SeriesInfo> series = io::listSeries(place);
+    if (!series.front().modality.empty()) return series;
+  } catch (const io::Error&) {
+  }
+  return {};
+}
+
+void compareSeries(const fs::path& place, const std::vector<io::SeriesInfo>& series, std::span<const Difference> rows,
+                   const std::function<std::string(const io::OpenedVolume&)>& differenceOf,
+                   DifferentialCounts& counts) {
+  for (const io::SeriesInfo& info : series) {
+    const std::string found =
+        differenceOf(io::openVolume(place, {.series = info.id, .regularise = io::Regularise::Off}));
+    ++counts.compared;
+    if (found.empty()) {
+      ++counts.agreeing;
+      continue;
+    }
+    const Difference* why = differenceAt(rows, place);
+    if (!why) {
+      ADD_FAILURE() << place << ", " << info.id << ": " << found;
+      continue;
+    }
+    ++counts.explained;
+    std::cout << place.filename() << ": " << found << "; " << why->why << "\n";
+  }
 }
 
 }  // namespace fenestra::tests

@@ -3,9 +3,12 @@
 // volume differs there.
 
 #include <filesystem>
+#include <functional>
 #include <span>
 #include <string>
 #include <vector>
+
+#include "io/VolumeReader.h"
 
 namespace fenestra::tests {
 
@@ -27,5 +30,14 @@ struct DifferentialCounts {
   int compared = 0, agreeing = 0, explained = 0;
   std::string text() const;
 };
+
+/// The series at a place; empty where it holds no DICOM image, such as letters, references and segmentations.
+std::vector<io::SeriesInfo> imageSeriesAt(const std::filesystem::path& place);
+
+/// Opens each series of a place, with its planes where they are, and counts it: agreeing where `differenceOf` says
+/// nothing, explained where a row does. Others fail the test.
+void compareSeries(const std::filesystem::path& place, const std::vector<io::SeriesInfo>& series,
+                   std::span<const Difference> rows,
+                   const std::function<std::string(const io::OpenedVolume&)>& differenceOf, DifferentialCounts& counts);
 
 }  // namespace fenestra::tests

@@ -105,13 +105,8 @@ struct Counts : DifferentialCounts {
 
 /// All volumes at one place.
 void compareAt(const fs::path& place, Counts& counts) {
-  std::vector<io::SeriesInfo> series;
-  try {
-    series = io::listSeries(place);
-    if (series.front().modality.empty()) return;  // no DICOM
-  } catch (const io::Error&) {
-    return;  // no image: letters, references, segmentations
-  }
+  const std::vector<io::SeriesInfo> series = imageSeriesAt(place);
+  if (series.empty()) return;
   const std::vector<GdcmImage> images = readWithGdcm(filesOf(series), place.filename() == "rtdose.dcm");
   std::vector<PeerFrame> frames;
   for (const GdcmImage& image : images)
@@ -120,22 +115,9 @@ void compareAt(const fs::path& place, Counts& counts) {
     ++counts.unread;
     return;
   }
-  for (const io::SeriesInfo& info : series) {
-    const std::string found =
-        differenceOf(io::openVolume(place, {.series = info.id, .regularise = io::Regularise::Off}), frames);
-    ++counts.compared;
-    if (found.empty()) {
-      ++counts.agreeing;
-      continue;
-    }
-    const Difference* why = differenceAt(differences, place);
-    if (!why) {
-      ADD_FAILURE() << place << ", " << info.id << ": " << found;
-      continue;
-    }
-    ++counts.explained;
-    std::cout << place.filename() << ": " << found << "; " << why->why << "\n";
-  }
+  compareSeries(
+      place, series, differences, [&frames](const io::OpenedVolume& opened) { return differenceOf(opened, frames); },
+      counts);
 }
 
 }  // namespace
