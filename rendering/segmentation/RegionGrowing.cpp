@@ -75,7 +75,7 @@ class SeedGrower {
     StructurePrior further = prior;
     further.expected = curve.volume[static_cast<std::size_t>(automatic)];
     for (const glm::ivec3& seed : std::span(inside).subspan(1)) addTissueAt(seed, *tissues, further, automatic, *joins);
-    for (const glm::ivec3& seed : outside) takeTissueAt(seed, inside, *tissues, prior, *joins);
+    for (const glm::ivec3& seed : outside) takeTissueAt(seed, inside, *tissues, prior, automatic, *joins);
     if (inside.size() > 1 || !outside.empty()) {
       // The tolerance stays: what is added and taken away is all that changes.
       curve = curveOf(*joins);
@@ -124,9 +124,10 @@ class SeedGrower {
         joins[i] = std::min(joins[i], static_cast<Level>(std::clamp(own[i] + shift, 0, levelCount - 1)));
   }
 
-  /// The clearest tissue at a seed outside that holds no seed inside leaves at every step, where it is nearer to it.
+  /// What is nearer to a seed outside leaves at every step: of the region at the step `automatic` its clearest tissue
+  /// that holds no seed inside, and all of what joins later.
   void takeTissueAt(const glm::ivec3& seed, const std::vector<glm::ivec3>& inside, const TissueTree& tissues,
-                    StructurePrior prior, std::vector<Level>& joins) const {
+                    StructurePrior prior, int automatic, std::vector<Level>& joins) const {
     prior.most = prior.limit = std::numeric_limits<double>::infinity();
     const std::vector<Level> own = tissues.joinsOf(volume_, std::span(&seed, 1), inside);
     int apart = stepCount;  // the last step that holds no seed inside
@@ -135,7 +136,7 @@ class SeedGrower {
     const int last = clearest ? clearest->step : std::max(1, apart);
     const std::vector<std::uint8_t> taken = tissues.takenBy(volume_, inside, std::span(&seed, 1));
     for (std::size_t i = 0; i < joins.size(); ++i)
-      if (taken[i] && own[i] < last) joins[i] = never;
+      if (taken[i] && (own[i] < last || joins[i] >= automatic)) joins[i] = never;
   }
 
   /// Whether the region of a step reaches close to a voxel.
