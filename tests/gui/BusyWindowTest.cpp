@@ -1,14 +1,27 @@
 // What shows and is not what was asked for is marked after 0.3 s, with a way to take it back, while the window answers.
 
+#include <algorithm>
+#include <functional>
+
 #include <QApplication>
 #include <QHelpEvent>
+#include <QLabel>
 #include <QPushButton>
 #include <QTest>
 #include <QToolTip>
 
+#include "io/VolumeWriter.h"
 #include "tests/gui/FailingDriver.h"
+#include "tests/gui/HeldThreads.h"
 #include "tests/gui/WindowFixture.h"
+#include "tests/support/TestData.h"
+#include "viewer/bars/LoadingBar.h"
+#include "viewer/bars/NoticeBar.h"
+#include "viewer/exports/Exports.h"
+#include "viewer/exports/Verification.h"
 #include "viewer/model/Fidelity.h"
+#include "viewer/panels/FocusPanel.h"
+#include "viewer/panels/LabelEditPanel.h"
 
 namespace fenestra::viewer {
 namespace {
@@ -16,6 +29,13 @@ namespace {
 class BusyWindow : public Window {
  protected:
   QWidget* bar() { return window_->findChild<QWidget*>(QStringLiteral("waitingBar")); }
+  LabelEditPanel& edits() { return *panel<FocusPanel>().labelEdits(); }
+  /// The bar of a job that runs; null: none runs.
+  LoadingBar* shownJob() {
+    const auto bars = window_->findChildren<LoadingBar*>();
+    const auto shown = std::find_if(bars.begin(), bars.end(), [](const LoadingBar* each) { return each->isVisible(); });
+    return shown == bars.end() ? nullptr : *shown;
+  }
   bool isMarked(VolumeView* view) {
     return linesOf(view->fidelity()).contains(QStringLiteral("not yet what was asked for"));
   }
@@ -63,17 +83,64 @@ TEST_F(BusyWindow, AFreezeThatIsAwaitedCanBeTakenBack) {
 }
 
 TEST_F(BusyWindow, AllViewsAreMarkedWhileALabelIsEdited) {
-  views().setAwaits(true);
-  ASSERT_TRUE(QTest::qWaitFor(
-      [&] {
-        return isMarked(volume(0)) &&
-               linesOf(slice(SlicePlane::Axial)->fidelity()).contains(QStringLiteral("not yet what was asked for"));
-      },
-      5000));
+  document().focusOn(marker);
+  waitUntilDrawn();
+  const auto areMarked = [&] {
+    return isMarked(volume(0)) && isMarked(volume(1)) &&
+           linesOf(slice(SlicePlane::Axial)->fidelity()).contains(QStringLiteral("not yet what was asked for"));
+  };
+  HeldThreads threads;
+  QTest::mouseClick(edits().button(LabelOperation::Grow), Qt::LeftButton);
+  ASSERT_TRUE(QTest::qWaitFor(areMarked, 5000));
   EXPECT_FALSE(bar()->isVisible()) << "the bar of the edit shows";
-  views().setAwaits(false);
-  EXPECT_FALSE(isMarked(volume(0)));
-  EXPECT_TRUE(slice(SlicePlane::Axial)->fidelity().empty());
+  EXPECT_TRUE(shownJob());
+  threads.release();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !shownJob(); }, patience));
+  waitUntilDrawn();
+  EXPECT_FALSE(isMarked(volume(0)) || isMarked(volume(1)));
+  EXPECT_FALSE(linesOf(slice(SlicePlane::Axial)->fidelity()).contains(QStringLiteral("not yet what was asked for")));
+}
+
+/// A job that the window can be asked for, and what its bar says before the job runs.
+struct AskedJob {
+  const char* says;
+  std::function<void()> ask;
+};
+
+TEST_F(BusyWindow, EachJobHasABarThatCancelsIt) {
+  const std::filesystem::path folder = tests::scratchFolder(), ball = folder / "ball.nii", mask = folder / "mask.nii",
+                              copy = folder / "copy.nii";
+  document().focusOn(marker);
+  waitUntilDrawn();
+  window_->exports().writeLabels(mask, Exports::Labels::All);
+  io::writeVolume(*document().scene().volume, ball);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !shownJob(); }, patience));
+  const AskedJob jobs[] = {
+      {"Opening…", [&] { window_->open({ball}); }},
+      {"Opening…", [&] { window_->openLabels(mask); }},
+      {"Writing…", [&] { window_->exports().writeLabels(copy, Exports::Labels::All); }},
+      {"Editing the label", [&] { edits().button(LabelOperation::Grow)->click(); }},
+      {"Verifying the picture", [&] { window_->verification().start(); }},
+      {"Growing the region", [&] { document().growFrom(markerCentre); }},
+  };
+  const std::shared_ptr<const Volume> shown = document().scene().volume;
+  const std::shared_ptr<const LabelMap> labels = document().labels();
+  for (const AskedJob& job : jobs) {
+    SCOPED_TRACE(job.says);
+    HeldThreads threads;
+    job.ask();
+    LoadingBar* its = shownJob();
+    ASSERT_TRUE(its);
+    EXPECT_EQ(its->findChild<QLabel*>()->text(), QString::fromUtf8(job.says));
+    QTest::mouseClick(its->findChild<QPushButton*>(), Qt::LeftButton);
+    threads.release();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !shownJob(); }, patience));
+    EXPECT_EQ(document().scene().volume, shown);
+    EXPECT_EQ(document().labels(), labels);
+    EXPECT_TRUE(document().isFocused(marker));
+    EXPECT_FALSE(std::filesystem::exists(copy));
+    EXPECT_EQ(window_->notices().texts(), QStringList());
+  }
 }
 
 TEST_F(BusyWindow, AMovingPictureIsADraft) {

@@ -3,13 +3,16 @@
 
 #include <QLabel>
 #include <QPushButton>
+#include <QStatusBar>
 #include <QTest>
 
+#include "io/VolumeWriter.h"
 #include "tests/gui/WindowFixture.h"
 #include "tests/support/TestData.h"
 #include "viewer/bars/NoticeBar.h"
 #include "viewer/files/Sessions.h"
 #include "viewer/panels/FocusPanel.h"
+#include "viewer/panels/LabelEditPanel.h"
 #include "viewer/panels/RegionPanel.h"
 
 namespace fenestra::viewer {
@@ -71,7 +74,8 @@ TEST_F(EveryNotice, OfWhatTheReaderFound) {
   study.warnings.push_back(study.geometry->findings.front());
   open(study);
   EXPECT_TRUE(says("Places are guessed.") && says("1 slice is missing.")) << all();
-  EXPECT_FALSE(says("taken for a CT")) << "the status bar tells it";
+  EXPECT_FALSE(says("taken for a CT"));
+  EXPECT_TRUE(window_->statusBar()->currentMessage().contains(QStringLiteral("taken for a CT")));
   for (const char* name : {"Files…", "Report…", "Load as is", "Make straight"})
     EXPECT_NE(button(name), nullptr) << name;
 }
@@ -85,6 +89,42 @@ TEST_F(EveryNotice, OfOpeningAndSavingThatFails) {
   EXPECT_TRUE(says("none.nii")) << "no error hides another";
   window_->sessions().controller().save(folder / "no such folder" / "a.fenestra");
   EXPECT_TRUE(QTest::qWaitFor([&] { return says("no such folder"); }, patience)) << all();
+  window_->open(std::vector{folder, folder / "a.nii"});
+  EXPECT_TRUE(says("folder")) << all();
+}
+
+TEST_F(EveryNotice, OfLabelsThatDoNotFit) {
+  Volume labels;
+  labels.grid = {.dims = glm::ivec3(4), .spacing = glm::dvec3(20.0), .origin = glm::dvec3(-30.0)};
+  labels.voxels = Voxels(ScalarType::UInt8, labels.grid.voxelCount());
+  for (std::uint8_t& value : labels.voxels.as<std::uint8_t>()) value = 1;
+  const std::filesystem::path file = tests::scratchFolder() / "labels.nii";
+  io::writeVolume(labels, file);
+  window_->openLabels(file);
+  EXPECT_TRUE(QTest::qWaitFor([&] { return says("resampled to the volume's grid by nearest label"); }, patience))
+      << all();
+}
+
+TEST_F(EveryNotice, OfALabelEditThatFails) {
+  document().focusOn(marker);
+  LabelEditPanel& edits = *panel<FocusPanel>().labelEdits();
+  edits.distance()->setValue(20.0);  // the marker is 14 mm wide
+  QTest::mouseClick(edits.button(LabelOperation::Shrink), Qt::LeftButton);
+  EXPECT_TRUE(QTest::qWaitFor([&] { return says("Nothing would be left of the label"); }, patience)) << all();
+  EXPECT_FALSE(document().undoStack().canUndo()) << "the label stays as it was";
+  edits.distance()->setValue(2.0);
+  QTest::mouseClick(edits.button(LabelOperation::Grow), Qt::LeftButton);
+  EXPECT_TRUE(QTest::qWaitFor([&] { return all().empty(); }, patience)) << "an edit has succeeded: " << all();
+}
+
+TEST_F(EveryNotice, OfLabelsThatReadingAgainWouldDrop) {
+  document().growFrom(markerCentre);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return document().isWhole(); }, patience));
+  QTest::mouseClick(panel<FocusPanel>().region()->keep(), Qt::LeftButton);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !document().labelsAreInFile(); }, patience));
+  window_->sessions().regularise(io::Regularise::Off);
+  EXPECT_TRUE(says("reading the data again would drop them")) << all();
+  EXPECT_TRUE(document().labels());
 }
 
 TEST_F(EveryNotice, OfALabelThatTakesFromOthers) {

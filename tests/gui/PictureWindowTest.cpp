@@ -242,6 +242,30 @@ TEST_F(PictureWindow, AFilmIsWrittenWhereFfmpegIs) {
   EXPECT_EQ(std::distance(fs::directory_iterator(folder_), {}), 1);
 }
 
+TEST_F(PictureWindow, APictureThatFitsNoMemoryIsSaid) {
+  pictures().writePicture(folder_ / "a.png", {.volumes = {volume(0)}, .scale = 1e5});
+  EXPECT_FALSE(pictures().isBusy());
+  EXPECT_TRUE(window_->notices().texts().front().startsWith(QStringLiteral("There is no memory for a picture")));
+}
+
+TEST_F(PictureWindow, AProgramForFilmsThatFailsIsQuoted) {
+  const QByteArray path = qgetenv("PATH");
+  const fs::path program = folder_ / "ffmpeg";
+  const auto write = [&](const std::string& script) {
+    std::ofstream(program) << script;
+    fs::permissions(program, fs::perms::owner_all);
+    pictures().writeTurntable(folder_ / "turn.mp4", {.volumes = {volume(0)}, .scale = 0.3}, 3, 24);
+    waitUntilWritten();
+  };
+  qputenv("PATH", QByteArray::fromStdString(folder_.string()) + ':' + path);
+  write("#!/bin/sh\ncat > /dev/null\necho no such encoder >&2\nexit 1\n");
+  EXPECT_TRUE(window_->notices().texts().front().endsWith(QStringLiteral("no such encoder")));
+  write("#!/no/such/program\n");
+  EXPECT_TRUE(window_->notices().texts().front().startsWith(QStringLiteral("ffmpeg cannot be started")));
+  qputenv("PATH", path);
+  EXPECT_FALSE(fs::exists(folder_ / "turn.mp4"));
+}
+
 TEST_F(PictureWindow, TheDialogKeepsTheViewsShape) {
   volume(1)->setFocus();
   PictureMaker maker(views());

@@ -12,6 +12,8 @@
 #include "tests/gui/WindowFixture.h"
 #include "tests/io/IoTesting.h"
 #include "tests/support/TestData.h"
+#include "viewer/bars/NoticeBar.h"
+#include "viewer/model/Preferences.h"
 #include "viewer/panels/AppearancePanel.h"
 
 namespace fenestra::viewer {
@@ -43,6 +45,7 @@ class PresetWindow : public Window {
     questions.exportWhere = [this](const QString&) { return std::optional(file_); };
   }
   PresetPicker& picker() { return panel<AppearancePanel>().presets(); }
+  QString notices() { return window_->notices().texts().join(QLatin1Char(' ')); }
   LookLibrary& library() { return window_->workspace().looks; }
   void choose(const QString& name) {
     const int row = picker().box()->findText(name, Qt::MatchExactly);
@@ -218,6 +221,7 @@ TEST_F(PresetWindow, AFileThatIsNoPresetIsNamedAndChangesNothing) {
   picker().importPreset();
   ASSERT_EQ(failed.count(), 1);
   EXPECT_TRUE(failed[0][0].toString().contains(QStringLiteral("bad.json")));
+  EXPECT_TRUE(notices().contains(QStringLiteral("bad.json")));
   EXPECT_EQ(document().look(), before);
   EXPECT_TRUE(library().entries().empty());
   file_ = folder_ / "no such folder" / "a.json";
@@ -232,6 +236,14 @@ TEST_F(PresetWindow, AUnitOfOtherValuesIsAWarning) {
   picker().importPreset();
   ASSERT_EQ(warned.count(), 1);
   EXPECT_TRUE(warned[0][0].toString().contains(QStringLiteral("MR look")));
+  EXPECT_TRUE(notices().contains(QStringLiteral("MR look")));
+}
+
+TEST_F(PresetWindow, AKeptFileThatCannotBeReadIsNamedAtTheStart) {
+  keepAs(QStringLiteral("A"));
+  tests::writeFile(Preferences().looksFolder() / "spoilt.json", "{}");
+  makeWindow();
+  EXPECT_TRUE(notices().contains(QStringLiteral("spoilt.json"))) << "it outlives the study that opens";
 }
 
 TEST_F(PresetWindow, TheOpenListShowsPicturesOfTheVolume) {

@@ -378,5 +378,22 @@ TEST_F(Regions, KeptLabelsAreEditedAndUndoneToTheBit) {
   EXPECT_EQ(failures.count(), 1) << "an empty label is an error";
 }
 
+TEST_F(Regions, ARegionForWhichNoLabelIsLeftIsAnError) {
+  auto full = std::make_shared<LabelMap>();
+  full->grid = document_.scene().volume->grid;
+  full->voxels = Voxels(ScalarType::UInt16, full->grid.voxelCount());
+  for (int value = 1; value <= 65535; ++value)
+    full->labels.push_back({static_cast<std::uint16_t>(value), "label", glm::dvec3(1.0)});
+  document_.setLabels(full);
+  document_.growFrom(left);
+  waitUntilGrown();
+  QSignalSpy failures(&editor_.job(), &LoadJob::failed);
+  editor_.keepRegion(QStringLiteral("one more"), glm::dvec3(1.0));
+  waitUntilEdited();
+  ASSERT_EQ(failures.count(), 1);
+  EXPECT_TRUE(failures.front().front().toString().contains(QStringLiteral("65535"))) << "and the window shows it";
+  EXPECT_EQ(document_.labels(), full);
+}
+
 }  // namespace
 }  // namespace fenestra::viewer

@@ -106,6 +106,17 @@ TEST_F(SessionWindow, AsksWhereMovedDataIs) {
   EXPECT_EQ(asked, 2) << "saving again has stored the new place";
 }
 
+TEST_F(SessionWindow, DataThatNobodyFindsIsNamed) {
+  document().focusOn(marker);
+  save(file_);
+  fs::remove(folder_ / "data" / "ball.nii.gz");
+  window_->sessions().questions().dataWhere = [](const io::DataMissing&) { return std::nullopt; };
+  window_->open({file_});
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !window_->notices().texts().isEmpty(); }, patience));
+  EXPECT_TRUE(window_->notices().texts().front().contains(QStringLiteral("ball.nii.gz")));
+  EXPECT_TRUE(document().isFocused(marker)) << "what was open stays";
+}
+
 TEST_F(SessionWindow, KeptLabelsAreWrittenBesideTheSession) {
   // A file of the user's own of the name that the labels would get.
   std::ofstream(folder_ / "work.labels.nrrd") << "mine";

@@ -87,6 +87,15 @@ TEST_F(VerificationWindow, CanBeCancelledAndLeavesTheWindowAsItWas) {
   ASSERT_TRUE(QTest::qWaitFor([&] { return !results_.empty(); }, patience));
 }
 
+TEST_F(VerificationWindow, AProofThatCannotBeWrittenIsSaid) {
+  waitUntilDrawn();
+  verify();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !results_.empty(); }, patience));
+  verification().write(tests::scratchFolder() / "absent" / "proof.png", results_.front());
+  EXPECT_TRUE(QTest::qWaitFor([&] { return !window_->notices().texts().isEmpty(); }, patience));
+  EXPECT_TRUE(window_->notices().texts().join(QLatin1Char(' ')).contains(QStringLiteral("proof.png")));
+}
+
 TEST_F(VerificationWindow, WithoutA3DViewOnScreenItSaysSo) {
   QTest::mouseDClick(slice(SlicePlane::Axial), Qt::LeftButton);
   ASSERT_TRUE(views().isMaximised());

@@ -220,9 +220,13 @@ void PictureExports::startFilm(QSize size) {
   turntable_->film.reset(new QProcess);
   QProcess& film = *turntable_->film;
   connect(&film, &QProcess::finished, this, &PictureExports::filmEnded);
-  connect(&film, &QProcess::errorOccurred, this, [this](QProcess::ProcessError error) {
-    if (error == QProcess::FailedToStart) fail(tr("ffmpeg cannot be started; save PNGs instead."));
-  });
+  // From the event loop: a process must not be deleted while it emits.
+  connect(
+      &film, &QProcess::errorOccurred, this,
+      [this](QProcess::ProcessError error) {
+        if (turntable_ && error == QProcess::FailedToStart) fail(tr("ffmpeg cannot be started; save PNGs instead."));
+      },
+      Qt::QueuedConnection);
   // H.264 in a form that every player shows has even sides: an odd one gains a black line.
   film.start(filmProgram(),
              {QStringLiteral("-loglevel"), QStringLiteral("error"), QStringLiteral("-y"), QStringLiteral("-f"),

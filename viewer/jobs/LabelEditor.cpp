@@ -55,10 +55,13 @@ LabelEditor::LabelEditor(Document& document, QObject* parent) : QObject(parent),
 void LabelEditor::keepRegion(const QString& name, glm::dvec3 colour) {
   if (!document_.isWhole()) return;
   const std::uint16_t value = freeLabel(document_.labels().get());
-  if (value == 0) return;  // 65 535 labels
   // The growth may be dropped while this runs; its steps are shared.
   start(tr("Keep region"), {value, name.trimmed().toStdString(), colour}, Overlap::Take,
-        [growth = *document_.growth(), step = document_.regionStep()] { return maskAt(growth, step); });
+        [value, growth = *document_.growth(), step = document_.regionStep()] {
+          if (value == 0)
+            throw std::runtime_error(tr("All 65535 values that a label may have are in use").toStdString());
+          return maskAt(growth, step);
+        });
 }
 
 void LabelEditor::edit(std::uint16_t label, LabelOperation operation, double number) {
