@@ -1,6 +1,7 @@
 #include "io/LabelTable.h"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <optional>
 #include <string>
@@ -17,6 +18,36 @@ namespace {
 /// FreeSurfer's table has 100 kilobytes.
 constexpr std::size_t longestTable = 16u << 20;
 
+void addUtf8(std::uint32_t point, std::string& text) {
+  if (point < 0x80) {
+    text += static_cast<char>(point);
+    return;
+  }
+  constexpr std::array<std::uint32_t, 4> lead{0, 0xc0, 0xe0, 0xf0};
+  const std::size_t following = point < 0x800 ? 1 : point < 0x10000 ? 2 : 3;
+  text += static_cast<char>(lead[following] | point >> 6 * following);
+  for (std::size_t i = following; i-- > 0;) text += static_cast<char>(0x80 | (point >> 6 * i & 0x3f));
+}
+
+/// UTF-16 behind its byte order mark, as spreadsheets write text; surrogates (RFC 2781) are joined.
+std::string fromUtf16(const std::string& bytes) {
+  const bool big = bytes[0] == '\xfe';
+  const auto unit = [&](std::size_t at) -> std::uint32_t {
+    const auto first = static_cast<unsigned char>(bytes[at]), second = static_cast<unsigned char>(bytes[at + 1]);
+    return big ? first << 8 | second : second << 8 | first;
+  };
+  std::string text;
+  for (std::size_t at = 2; at + 1 < bytes.size(); at += 2) {
+    std::uint32_t point = unit(at);
+    if ((point & 0xfc00) == 0xd800 && at + 3 < bytes.size() && (unit(at + 2) & 0xfc00) == 0xdc00) {
+      point = 0x10000 + ((point & 0x3ff) << 10 | (unit(at + 2) & 0x3ff));
+      at += 2;
+    }
+    addUtf8(point, text);
+  }
+  return text;
+}
+
 std::vector<std::string> linesOf(const fs::path& file) {
   const auto stream = openStream(file, 0, Packing::None);
   std::error_code unknown;
@@ -24,6 +55,7 @@ std::vector<std::string> linesOf(const fs::path& file) {
   std::string text(unknown ? longestTable : std::min<std::uintmax_t>(size, longestTable), '\0');
   text.resize(stream->read(reinterpret_cast<std::byte*>(text.data()), text.size()));
   if (text.starts_with("\xEF\xBB\xBF")) text.erase(0, 3);
+  if (text.starts_with("\xff\xfe") || text.starts_with("\xfe\xff")) text = fromUtf16(text);
   return split(text, '\n');
 }
 
@@ -51,6 +83,25 @@ std::optional<std::uint16_t> valueIn(const std::string& word) {
   return value && *value > 0 ? value : std::nullopt;
 }
 
+/// The cells of a line. Quotes may stand around a cell (RFC 4180): separators in them are its own, and two quotes are
+/// one.
+std::vector<std::string> cellsOf(const std::string& line, char separator) {
+  std::vector<std::string> cells(1);
+  bool quoted = false;
+  for (std::size_t at = 0; at < line.size(); ++at) {
+    const char c = line[at];
+    if (quoted && c == '"' && at + 1 < line.size() && line[at + 1] == '"')
+      cells.back() += line[++at];
+    else if (c == '"' && (quoted || trimmed(cells.back()).empty()))
+      quoted = !quoted;
+    else if (c == separator && !quoted)
+      cells.emplace_back();
+    else
+      cells.back() += c;
+  }
+  return cells;
+}
+
 /// Columns that a table's first line names, by their index.
 struct Columns {
   char separator = '\t';
@@ -58,9 +109,9 @@ struct Columns {
   std::optional<std::size_t> hex, red;  ///< red: green and blue follow
 
   static std::optional<Columns> in(const std::string& line) {
-    for (const char separator : {'\t', ','}) {
+    for (const char separator : {'\t', ',', ';'}) {
       std::vector<std::string> names;
-      for (const std::string& name : split(line, separator)) names.push_back(lowered(trimmed(name)));
+      for (const std::string& name : cellsOf(line, separator)) names.push_back(lowered(trimmed(name)));
       const auto find = [&](std::initializer_list<const char*> wanted) -> std::optional<std::size_t> {
         for (const char* word : wanted)
           if (const auto at = std::find(names.begin(), names.end(), word); at != names.end())
@@ -74,7 +125,7 @@ struct Columns {
   }
 
   std::optional<Label> row(const std::string& line) const {
-    const std::vector<std::string> cells = split(line, separator);
+    const std::vector<std::string> cells = cellsOf(line, separator);
     if (std::max(value, name) >= cells.size()) return std::nullopt;
     const auto number = valueIn(cells[value]);
     if (!number) return std::nullopt;

@@ -146,12 +146,16 @@ std::optional<FrameHeader> jpegHeader(std::span<const std::uint8_t> bytes) {
   return std::nullopt;
 }
 
+bool isEnded(const std::vector<std::uint8_t>& bytes) {
+  std::size_t end = bytes.size();
+  while (end > 2 && bytes[end - 1] == 0) --end;
+  return end >= 2 && bytes[end - 2] == 0xff && bytes[end - 1] == 0xd9;
+}
+
 /// Ends a codestream whose writer left out the end-of-image marker (JPEG) or the end-of-codestream marker (JPEG 2000),
 /// which are FF D9. Decoders wait for it; what is missing before it, they notice themselves.
 void endImage(std::vector<std::uint8_t>& bytes) {
-  std::size_t end = bytes.size();
-  while (end > 2 && bytes[end - 1] == 0) --end;
-  if (end >= 2 && bytes[end - 2] == 0xff && bytes[end - 1] == 0xd9) return;
+  if (isEnded(bytes)) return;
   bytes.push_back(0xff);
   bytes.push_back(0xd9);
 }
@@ -202,6 +206,20 @@ void decodeJpeg(std::vector<std::uint8_t> bytes, int transferSyntax, const Pixel
     std::memcpy(&sample, samples.data() + 2 * i, 2);
     return sample;
   });
+}
+
+/// The NUL that pads a fragment is no byte of the codestream, whose own last byte may be 0, too. Where the writer left
+/// out the marker that tells them apart, the decoder does, which takes neither a byte more nor one less.
+void decodeJpegLs(std::vector<std::uint8_t> bytes, int transferSyntax, const PixelFormat& format,
+                  std::span<std::byte> words) {
+  if (bytes.size() > 2 && bytes.back() == 0 && !isEnded(bytes)) {
+    try {
+      decodeJpeg({bytes.begin(), bytes.end() - 1}, transferSyntax, format, words);
+      return;
+    } catch (const CodecError&) {
+    }
+  }
+  decodeJpeg(std::move(bytes), transferSyntax, format, words);
 }
 
 /// A codestream in memory, as OpenJPEG reads it.
@@ -294,8 +312,10 @@ DecodedFrame decodeFrame(std::vector<std::uint8_t> codestream, const DicomFile& 
       decodeJpeg2000({std::move(codestream)}, format, words);
       return {};
     case Compression::Jpeg:
-    case Compression::JpegLs:
       decodeJpeg(std::move(codestream), file.transferSyntax, format, words);
+      return {};
+    case Compression::JpegLs:
+      decodeJpegLs(std::move(codestream), file.transferSyntax, format, words);
       return {};
     case Compression::Encapsulated:
       decodeEncapsulated(codestream, format, words);

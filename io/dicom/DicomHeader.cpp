@@ -116,7 +116,7 @@ std::string refusalOf(DcmItem& dataset, const PixelFormat& format, const std::st
   if (sopClass == UID_RTStructureSetStorage) return "is a DICOM structure set, not an image";
   if (isLabelClass(sopClass)) return "is a DICOM segmentation, not an image";
   if (format.rows < 1 || format.columns < 1) return "holds no image";
-  const std::string photometric = textOf(dataset, DCM_PhotometricInterpretation);
+  const std::string photometric = codeOf(dataset, DCM_PhotometricInterpretation);
   const std::int64_t samples = integerOf(dataset, DCM_SamplesPerPixel).value_or(1);
   const bool monochrome = photometric.empty() || photometric.starts_with("MONOCHROME");
   if (!monochrome) return "holds colours (" + photometric + "), not values";
@@ -179,7 +179,7 @@ unsigned assumedOf(DcmItem& dataset, const DicomFile& file) {
                     numberOf(*mapping, DCM_RealWorldValueIntercept).value_or(0.0) != 0.0))
       bits |= assumed::realWorldValues;
   }
-  if (textOf(dataset, DCM_PhotometricInterpretation).empty()) bits |= assumed::photometric;
+  if (codeOf(dataset, DCM_PhotometricInterpretation).empty()) bits |= assumed::photometric;
   if (firstItem(&dataset, DCM_ModalityLUTSequence) && !file.lut) bits |= assumed::lut;
   if (usesDecimalCommas(dataset)) bits |= assumed::decimalCommas;
   if (integerOf(dataset, DCM_NumberOfFrames) == 0) bits |= assumed::noFrames;
@@ -191,13 +191,13 @@ unsigned assumedOf(DcmItem& dataset, const DicomFile& file) {
 void describeSeries(DcmItem& dataset, DicomFile& file) {
   file.series = textOf(dataset, DCM_SeriesInstanceUID);
   file.studyUid = textOf(dataset, DCM_StudyInstanceUID);
-  file.modality = textOf(dataset, DCM_Modality);
+  file.modality = codeOf(dataset, DCM_Modality);
   file.description = typedTextOf(dataset, DCM_SeriesDescription);
   file.study = typedTextOf(dataset, DCM_StudyDescription);
   file.date = textOf(dataset, DCM_SeriesDate);
   if (file.date.empty()) file.date = textOf(dataset, DCM_StudyDate);
   file.seriesNumber = integerOf(dataset, DCM_SeriesNumber);
-  file.imageType = textOf(dataset, DCM_ImageType);
+  file.imageType = codeOf(dataset, DCM_ImageType);
   file.patient = {typedTextOf(dataset, DCM_PatientName), typedTextOf(dataset, DCM_PatientID),
                   textOf(dataset, DCM_PatientSex), textOf(dataset, DCM_PatientBirthDate)};
 }
@@ -229,12 +229,12 @@ DicomFile readDicomHeader(const fs::path& path) {
   if (!pixels) throw Error(path, "its pixels cannot be read (there are none)", "the file is truncated or damaged");
   if (file.pixels.isPrivate) checkPrivatePixels(dataset, path);
 
-  file.monochrome1 = textOf(dataset, DCM_PhotometricInterpretation) == "MONOCHROME1";
+  file.monochrome1 = codeOf(dataset, DCM_PhotometricInterpretation) == "MONOCHROME1";
   file.lut = modalityLut(dataset, file.format);
   file.limits = limitsOf(dataset, file.format);
   const std::string rescaleType = textOf(dataset, DCM_RescaleType);
   if (file.modality == "CT") file.unit = rescaleType.empty() || rescaleType == "US" ? "HU" : rescaleType;
-  if (file.modality == "PT") file.unit = textOf(dataset, DCM_Units);
+  if (file.modality == "PT") file.unit = codeOf(dataset, DCM_Units);
 
   const std::int64_t frames = countFrames(dataset, file);
   const unsigned assumed = assumedOf(dataset, file);

@@ -89,6 +89,13 @@ std::string textOf(DcmItem& item, const DcmTagKey& tag) {
   return item.findAndGetOFStringArray(tag, value).good() ? trimmed({value.data(), value.size()}) : std::string();
 }
 
+std::string codeOf(DcmItem& item, const DcmTagKey& tag) {
+  std::string code = textOf(item, tag);
+  for (char& c : code)
+    if (c >= 'a' && c <= 'z') c = static_cast<char>(c - 'a' + 'A');
+  return code;
+}
+
 std::string typedTextOf(DcmItem& item, const DcmTagKey& tag, DcmItem* dataset) {
   OFString value, utf8;
   if (item.findAndGetOFStringArray(tag, value).bad()) return {};

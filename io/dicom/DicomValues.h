@@ -24,6 +24,8 @@ std::optional<double> numberOf(DcmItem& item, const DcmTagKey& tag, unsigned lon
 /// A value of any integer VR, or a number string.
 std::optional<std::int64_t> integerOf(DcmItem& item, const DcmTagKey& tag);
 std::string textOf(DcmItem& item, const DcmTagKey& tag);
+/// A coded string (PS3.5 6.2, CS): its letters are capitals, though some writers use small ones.
+std::string codeOf(DcmItem& item, const DcmTagKey& tag);
 /// Text that an operator typed, as UTF-8; of an unknown character set only the ASCII part. `dataset` names the
 /// character set where `item` is nested in it.
 std::string typedTextOf(DcmItem& item, const DcmTagKey& tag, DcmItem* dataset = nullptr);

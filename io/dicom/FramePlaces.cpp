@@ -101,7 +101,7 @@ void scaleDoses(DcmItem& dataset, DicomFile& file) {
     frame.slope = 1.0;
     frame.assumed |= assumed::doseScaling;
   }
-  const std::string units = textOf(dataset, DCM_DoseUnits);
+  const std::string units = codeOf(dataset, DCM_DoseUnits);
   file.unit = units == "GY" ? "Gy" : lowered(units);
 }
 
@@ -121,7 +121,7 @@ std::vector<double> frameOffsets(DcmItem& dataset, DicomFile& file) {
   if (file.sopClass == UID_NuclearMedicineImageStorage) {
     // Projections follow in angle, not along the normal.
     const bool slices =
-        pointsTo(dataset, "0054,0080") || textOf(dataset, DCM_ImageType).find("RECON") != std::string::npos;
+        pointsTo(dataset, "0054,0080") || codeOf(dataset, DCM_ImageType).find("RECON") != std::string::npos;
     if (!slices) return {};
     for (std::size_t i = 0; i < count; ++i)
       offsets.push_back(*between * (numberOf(dataset, DCM_SliceVector, i).value_or(static_cast<double>(i + 1)) - 1.0));

@@ -35,7 +35,7 @@ std::string numberText(double value) {
   return text;
 }
 
-bool isMr(const Scopes& scopes) { return textOf(scopes.dataset, DCM_Modality) == "MR"; }
+bool isMr(const Scopes& scopes) { return codeOf(scopes.dataset, DCM_Modality) == "MR"; }
 
 /// A word of Image Type, from its third value on, as what the image holds; empty for other words.
 std::string componentNamed(const std::string& word) {
@@ -66,7 +66,7 @@ std::string componentNamed(const std::string& word) {
 std::string componentOf(const Scopes& scopes, int) {
   if (!isMr(scopes)) return {};
   std::string found;
-  const std::vector<std::string> words = split(textOf(scopes.dataset, DCM_ImageType), '\\');
+  const std::vector<std::string> words = split(codeOf(scopes.dataset, DCM_ImageType), '\\');
   for (std::size_t i = 2; i < words.size(); ++i)
     if (const std::string name = componentNamed(trimmed(words[i])); !name.empty() && name != found)
       found += (found.empty() ? "" : " ") + name;
@@ -127,9 +127,10 @@ std::string vectorEntry(const Scopes& scopes, int index) {
   return value ? numberText(*value) : std::string();
 }
 
-const std::vector<Row>& rows() {
+/// What an image shows.
+std::vector<Row> rowsThatAlwaysPart() {
   using enum Parting;
-  static const std::vector<Row> table = {
+  return {
       {{"echo time", "ms", Always}, true, {{DCM_MREchoSequence, DCM_EffectiveEchoTime}, {dataset, DCM_EchoTime}}},
       {{"echo number", "", Always}, true, {{dataset, DCM_EchoNumbers}}},
       {{"flip angle", "degrees", Always},
@@ -154,7 +155,17 @@ const std::vector<Row>& rows() {
        false,
        {{DCM_ContrastBolusUsageSequence, DCM_ContrastBolusAgentPhase}, {dataset, DCM_ContrastBolusAgentPhase}}},
       {{"energy window", "", Always}, false, {}, vectorEntry<0x0010>},
+  };
+}
 
+/// When an image was acquired, and what it was called.
+std::vector<Row> rowsThatPartRepeats() {
+  using enum Parting;
+  return {
+      {{"series number", "", WherePlacesRepeat}, true, {{dataset, DCM_SeriesNumber}}},
+      {{"slice thickness", "mm", WherePlacesRepeat},
+       true,
+       {{DCM_PixelMeasuresSequence, DCM_SliceThickness}, {dataset, DCM_SliceThickness}}},
       {{"temporal position", "", WherePlacesRepeat},
        true,
        {{DCM_FrameContentSequence, DCM_TemporalPositionIndex}, {dataset, DCM_TemporalPositionIdentifier}}},
@@ -185,6 +196,14 @@ const std::vector<Row>& rows() {
       {{"acquisition time", "", WherePlacesRepeat}, false, {{dataset, DCM_AcquisitionTime}}},
       {{"content time", "", WherePlacesRepeat}, false, {{dataset, DCM_ContentTime}}},
   };
+}
+
+const std::vector<Row>& rows() {
+  static const std::vector<Row> table = [] {
+    std::vector<Row> all = rowsThatAlwaysPart();
+    for (Row& row : rowsThatPartRepeats()) all.push_back(std::move(row));
+    return all;
+  }();
   return table;
 }
 

@@ -106,7 +106,7 @@ void splitMosaic(DcmItem& dataset, DicomFile& file) {
   const double count = countTag ? numberOf(dataset, *countTag).value_or(0.0) : 0.0;
   if (count > 1.0 && count <= mostSlices && count == std::floor(count))
     frames = unitedTiles(dataset, whole, count, DcmTagKey(0x0065, static_cast<Uint16>(countTag->getElement() + 1)));
-  else if (textOf(dataset, DCM_ImageType).find("MOSAIC") != std::string::npos)
+  else if (codeOf(dataset, DCM_ImageType).find("MOSAIC") != std::string::npos)
     frames = siemensTiles(dataset, whole);
   else
     return;

@@ -107,7 +107,7 @@ std::string spaced(std::string values) {
 void addContours(DcmItem& item, Structure& structure, StructureSet& set) {
   forEachItem(item, DCM_ContourSequence, [&](DcmItem& contour) {
     Points read = pointsOf(contour);
-    const std::string type = textOf(contour, DCM_ContourGeometricType);
+    const std::string type = codeOf(contour, DCM_ContourGeometricType);
     const bool closed = type.empty() || type == "CLOSED_PLANAR" || type == "CLOSEDPLANAR_XOR";
     if (!read.fault.empty())
       set.faults.push_back("a contour of " + structure.label.name + " " + read.fault);

@@ -84,7 +84,7 @@ std::vector<Label> segmentsOf(DcmDataset& dataset, const fs::path& path) {
 }
 
 Type typeOf(DcmDataset& dataset, const fs::path& path) {
-  const std::string name = textOf(dataset, DCM_SegmentationType);
+  const std::string name = codeOf(dataset, DCM_SegmentationType);
   if (name == "BINARY") return Type::Binary;
   if (name == "FRACTIONAL") return Type::Fractional;
   if (name == "LABELMAP" || textOf(dataset, DCM_SOPClassUID) == labelMapSegmentationClass) return Type::LabelMap;

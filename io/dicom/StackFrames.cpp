@@ -185,14 +185,26 @@ class Stacker {
            "); each forms a volume of its own: number " + std::to_string(shown) + " is shown";
   }
 
+  /// How many slices a whole volume has that is like volume `i`. Thicker slices are fewer, at places of their own.
+  static std::size_t wholeLike(std::size_t i, const PartedFrames& parted) {
+    const auto thickness = [&](const std::vector<DicomFrame>& volume) { return volume.front().thickness; };
+    std::size_t most = 0, alike = 0;
+    for (const std::vector<DicomFrame>& volume : parted.volumes) {
+      if (thickness(volume) != thickness(parted.volumes[i])) continue;
+      most = std::max(most, volume.size());
+      ++alike;
+    }
+    return alike == parted.volumes.size() ? parted.places : most;
+  }
+
   /// Which time points lack slices; empty where none does.
   static std::string incompleteOf(const PartedFrames& parted) {
     if (parted.interleaved) return {};
     std::vector<std::string> lacking;
     for (std::size_t i = 0; i < parted.volumes.size(); ++i)
-      if (const std::size_t slices = parted.volumes[i].size(); slices < parted.places)
+      if (const std::size_t slices = parted.volumes[i].size(), whole = wholeLike(i, parted); slices < whole)
         lacking.push_back("number " + std::to_string(i + 1) + " has " + std::to_string(slices) + " of " +
-                          std::to_string(parted.places) + " slices");
+                          std::to_string(whole) + " slices");
     if (lacking.empty() || parted.volumes.size() < 2) return {};
     const std::size_t count = lacking.size();
     constexpr std::size_t mostNamed = 3;

@@ -14,7 +14,8 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr std::uint32_t recognition = 0x00080010, imageType = 0x00080008, instanceUid = 0x00080018,
-                        seriesUid = 0x0020000e, echoTime = 0x00180081, tamarType = 0x07a11011, tamarPixels = 0x07a1100a;
+                        seriesUid = 0x0020000e, seriesNumber = 0x00200011, echoTime = 0x00180081,
+                        tamarType = 0x07a11011, tamarPixels = 0x07a1100a;
 
 /// A value of text padded to an even length by NUL, where blanks belong.
 std::string padded(std::string value) {
@@ -33,6 +34,13 @@ std::vector<Defect> paddingDefects() {
              set(orientation, "DS", padded("1\\0\\0\\0\\1\\0"))}),
        opens},
       {"counts padded with NUL", file({set(frameCount, "IS", padded("1"))}), opens},
+      {"photometric interpretation behind a blank", file({set(photometric, "CS", " MONOCHROME2")}), opens},
+      {"photometric interpretation in lower case", file({set(photometric, "CS", "monochrome2")}), opens},
+      {"transfer syntax padded with a blank", bytes([](std::string all) {
+         const std::string uid("1.2.840.10008.1.2.1\0", 20);
+         return all.replace(all.find(uid), uid.size(), "1.2.840.10008.1.2.1 ");
+       }),
+       opens},
       {"identifiers padded with NUL and blanks",
        file({set(instanceUid, "UI", std::string("1.2.3.4.5\0 ", 11)), set(modality, "CS", padded("CT"))}), opens},
   };
@@ -55,6 +63,14 @@ std::vector<Defect> numberDefects() {
              set(pixelSpacing, "UT", "0.5\\0.5")}),
        opens},
       {"numbers of long strings", file({set(position, "LO", "1.5\\2\\3"), set(pixelSpacing, "SH", "0.5\\0.5")}), opens},
+      {"numbers with signs and exponents",
+       file({set(pixelSpacing, "DS", "+5E-1\\5e-01"), set(position, "DS", "+1.5\\+2\\-.5")}), opens},
+      {"numbers between blanks", file({set(pixelSpacing, "DS", " 0.5 \\ 0.5 "), set(position, "DS", " 1.5\\ 2 \\3 ")}),
+       opens},
+      {"numbers of more than sixteen letters",
+       file({set(pixelSpacing, "DS", "0.5000000000000000000001\\0.5000000000000000000001")}), opens},
+      {"a backslash behind the last number", file({set(pixelSpacing, "DS", "0.5\\0.5\\")}), opens},
+      {"counts with a decimal point", file({set(frameCount, "IS", "1.0")}), opens},
       {"dicom of 0 frames", file({set(frameCount, "IS", "0")}), warning("the header counts 0 frames; one is read")},
   };
 }
@@ -75,6 +91,26 @@ std::vector<Defect> identifierDefects() {
               }),
        warning("2 files share a SOP Instance UID")},
       {"a series uid for each slice", series(6, asItIs, {}, ofSeries), warning("6 slices have a Series UID each")},
+      {"slices without instance uids", series(6, asItIs, {drop(instanceUid)}), opens},
+      {"slices with empty instance uids", series(6, asItIs, {set(instanceUid, "UI", "")}), opens},
+      {"slices without a series uid", series(6, asItIs, {drop(seriesUid)}), opens},
+      {"series uids padded with NUL and with blanks",
+       series(6, asItIs, {},
+              [](int slice) {
+                return std::vector{set(seriesUid, "UI", slice % 2 == 0 ? "1.2.9 " : std::string("1.2.9\0", 6))};
+              }),
+       opens},
+      {"one instance number for all slices", series(6, [](int, DicomSpec& spec) { spec.instanceNumber = 7; }), opens},
+      {"one series uid for two series of the same places",
+       series(
+           8, [](int slice, DicomSpec& spec) { spec.position = glm::dvec3(0, 0, 2 * (slice % 4)); }, {},
+           [](int slice) { return std::vector{set(seriesNumber, "IS", slice < 4 ? "3" : "4")}; }),
+       warning("told apart by series number")},
+      {"one series uid for slices of two thicknesses",
+       series(
+           6, [](int slice, DicomSpec& spec) { spec.position = glm::dvec3(0, 0, slice < 4 ? slice : 3 * (slice - 4)); },
+           {}, [](int slice) { return std::vector{set(sliceThickness, "DS", slice < 4 ? "1" : "3")}; }),
+       warning("told apart by slice thickness")},
       {"series of single slices far apart",
        series(
            6, [](int slice, DicomSpec& spec) { spec.position = glm::dvec3(0, 0, slice * slice * 7); }, {}, ofSeries),
@@ -141,6 +177,20 @@ Make jpeg2000As(const std::string& uid, const std::vector<Edit>& edits = {}) {
   };
 }
 
+std::string followed(const std::string& stream) { return stream + std::string(40, '\0'); }
+
+/// A codestream as a file of JPEG 2000 holds it (ISO 15444-1, annex I); the picture is one of 64 x 64.
+std::string boxed(const std::string& stream) {
+  const auto box = [](const std::string& type, const std::string& content) {
+    return bytesOf(static_cast<std::uint32_t>(content.size() + 8), true) + type + content;
+  };
+  const std::string size = bytesOf(std::uint32_t{64}, true) + bytesOf(std::uint32_t{64}, true);
+  const std::string header =
+      box("ihdr", size + std::string("\0\1\x8f\7\0\0", 6)) + box("colr", std::string("\1\0\0\0\0\0\x11", 7));
+  return box("jP  ", "\r\n\x87\n") + box("ftyp", std::string("jp2 \0\0\0\0jp2 ", 12)) + box("jp2h", header) +
+         box("jp2c", stream);
+}
+
 std::vector<Defect> encodingDefects() {
   const Edit withoutEnd = fragment([](const std::string& part) { return part.substr(0, part.rfind("\xff\xd9")); });
   const auto renamed = [](const char* uid) {
@@ -152,6 +202,14 @@ std::vector<Defect> encodingDefects() {
       {"jpeg 2000 called high throughput, lossless", jpeg2000As("1.2.840.10008.1.2.4.201"), opens},
       {"jpeg 2000 called high throughput, rpcl", jpeg2000As("1.2.840.10008.1.2.4.202"), opens},
       {"jpeg 2000 called high throughput", jpeg2000As("1.2.840.10008.1.2.4.203"), opens},
+      {"jpeg 2000 in the boxes of a file", jpeg2000As("", {fragment(boxed)}), opens},
+      {"jpeg 2000 with bytes behind its end", jpeg2000As("", {fragment(followed)}), opens},
+      {"jpeg with bytes behind its end", file({fragment(followed)}, pictureSpec(Syntax::JpegLossless)), opens},
+      {"jpeg-ls with bytes behind its end", file({fragment(followed)}, pictureSpec(Syntax::JpegLs)), opens},
+      {"jpeg-ls without an end of image", file({withoutEnd}, pictureSpec(Syntax::JpegLs)), opens},
+      {"bytes behind the dataset", bytes([](const std::string& all) { return all + std::string(512, '\0'); }), opens},
+      {"padding behind the dataset", file({set(0xfffcfffc, "OB", std::string(126, '\0'))}), opens},
+      {"a film", jpeg2000As("1.2.840.10008.1.2.4.102"), error("its transfer syntax is not supported (MPEG-4")},
       {"jpeg xl", jpeg2000As("1.2.840.10008.1.2.4.110"),
        error("its transfer syntax is not supported (JPEG XL Lossless)")},
       {"a transfer syntax of nobody's", renamed("1.2.840.10008.1.2.9.70"),

@@ -80,6 +80,8 @@ std::vector<PartRow> rowsThatAlwaysPart() {
 
 std::vector<PartRow> rowsThatPartRepeats() {
   return {
+      texts("SeriesNumber", "MR", 0x00200011, "IS", "3", "4"),
+      texts("SliceThickness", "CT", 0x00180050, "DS", "1", "3"),
       texts("TemporalPosition", "MR", 0x00200100, "IS", "1", "2"),
       {"CardiacPhase", "MR", {set(0x00209241, "FL", bytesOf(10.0F))}, {set(0x00209241, "FL", bytesOf(60.0F))}},
       texts("TriggerTime", "MR", 0x00181060, "DS", "10", "500"),

@@ -15,11 +15,18 @@ namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN(), infinite = std::numeric_limits<double>::infinity();
 
+std::string withReturns(const std::string& lines) {
+  std::string all;
+  for (const char c : lines) all += c == '\n' ? "\r\n" : std::string(1, c);
+  return all;
+}
+
 std::vector<Defect> niftiDefects() {
   const Expected ignoredSform = warning("its sform is not three independent axes");
   const Expected implausible = error("its geometry is not plausible");
   const Expected scaling = warning("its scl_slope or scl_inter is no number; values are shown as stored");
   const Expected pixdim = warning("its pixdim is not three positive numbers; 1 mm is assumed");
+  const NiftiSpec sided{.sform = 1, .srow = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0}};
   const float floatNan = std::numeric_limits<float>::quiet_NaN(),
               floatInfinite = std::numeric_limits<float>::infinity();
   return {
@@ -43,6 +50,18 @@ std::vector<Defect> niftiDefects() {
       {"nifti with NaN as slope", nifti({.slope = floatNan}), scaling},
       {"nifti with infinite slope", nifti({.slope = floatInfinite}), scaling},
       {"nifti with NaN as intercept", nifti({.slope = 1, .intercept = floatNan}), scaling},
+      {"nifti with bytes behind its voxels", nifti({}, counting(24) + "end"), opens},
+      {"packed nifti in two pieces", file("a.nii.gz", gzipped(niftiHeader(sided)) + gzipped(counting(24))), opens},
+      {"packed nifti with zeros behind it",
+       file("a.nii.gz", gzipped(niftiHeader(sided) + counting(24)) + std::string(512, '\0')), opens},
+      {"nifti that names no offset",
+       [=](const fs::path& folder) {
+         std::string header = niftiHeader(sided);
+         header.replace(108, 4, bytesOf(0.0F));
+         writeFile(folder / "a.nii", header + counting(24));
+         return folder / "a.nii";
+       },
+       opens},
       {"nifti of colours", nifti({.datatype = 128}), error("holds colours")},
       {"nifti of complex numbers", nifti({.datatype = 32}), error("data type 32")},
       {"nifti of an unknown type", nifti({.datatype = 999}), error("data type 999")},
@@ -91,6 +110,17 @@ std::vector<Defect> nrrdDefects() {
                         {"space origin", "(0,0,0,0)"}};
   return {
       {"nrrd", nrrd({}), opens},
+      {"nrrd with returns at its lines' ends",
+       file("a.nrrd", withReturns("NRRD0004\ntype: short\ndimension: 3\nspace: left-posterior-superior\nsizes: 2 3 4\n"
+                                  "space directions: (1,0,0) (0,1,0) (0,0,1)\nspace origin: (0,0,0)\nendian: "
+                                  "little\nencoding: raw\n\n") +
+                          counting(24)),
+       opens},
+      {"nrrd in short words", nrrd({{"space", "LPS"}, {"type", "int16_t"}, {"encoding", "RAW"}}), opens},
+      {"nrrd with bytes behind its voxels", nrrd({}, counting(24) + "end"), opens},
+      {"nrrd with a comment and a key", nrrd({{"# made by", "hand"}, {"key:", "=value"}}), opens},
+      {"packed nrrd with zeros behind it", nrrd({{"encoding", "gz"}}, gzipped(counting(24)) + std::string(512, '\0')),
+       opens},
       {"nrrd in hexadecimal", nrrd({{"encoding", "hex"}}, hex), opens},
       {"nrrd of half its hexadecimal digits", nrrd({{"encoding", "hex"}}, hex.substr(0, 50)),
        error("where its header")},
@@ -160,6 +190,19 @@ std::vector<Defect> metaImageDefects() {
   const auto notUnderstood = [](const std::string& name) { return error("its header's " + name); };
   return {
       {"metaimage", metaImage({}), opens},
+      {"metaimage with returns at its lines' ends",
+       file("a.mha", withReturns("NDims = 3\nDimSize = 2 3 4\nElementSpacing = 1 1 1\nOffset = 0 0 0\nElementType = "
+                                 "MET_SHORT\nElementDataFile = LOCAL\n") +
+                         counting(24)),
+       opens},
+      {"metaimage with a position and an orientation",
+       metaImage({{"Offset", "-"}, {"Position", "1 2 3"}, {"Orientation", "1 0 0 0 1 0 0 0 1"}}), opens},
+      {"metaimage with an origin and a rotation",
+       metaImage({{"Offset", "-"}, {"Origin", "1 2 3"}, {"Rotation", "1 0 0 0 1 0 0 0 1"}}), opens},
+      {"metaimage with a size of elements alone", metaImage({{"ElementSpacing", "-"}, {"ElementSize", "1 1 1"}}),
+       opens},
+      {"metaimage with bytes behind its voxels", metaImage({}, counting(24) + "end"), opens},
+      {"metaimage whose header's size is to be found", metaImage({{"HeaderSize", "-1"}}), opens},
       {"metaimage without spacing", metaImage({{"ElementSpacing", "-"}}),
        warning("no ElementSpacing; 1 mm is assumed")},
       {"metaimage with negative spacing", metaImage({{"ElementSpacing", "1 -2 1"}}),

@@ -99,6 +99,10 @@ std::vector<Defect> segmentationDefects() {
       segmentation(
           "binary of 16 bits", [](SegSpec& s) { s.bits = 16; }, error("16 bits, which its type does not allow")),
       segmentation(
+          "binary of 8 bits", [](SegSpec& s) { s.bits = 8; }, opens),
+      segmentation(
+          "type padded with NUL", [](SegSpec& s) { s.type = std::string("BINARY\0", 7); }, opens),
+      segmentation(
           "greatest fraction 0",
           [](SegSpec& s) {
             s.type = "FRACTIONAL";
@@ -172,6 +176,21 @@ std::vector<Defect> structureSetDefects() {
             s.rois[0].contours[0].count = 7;
           },
           error("a contour of a has 4 points but says 7")),
+      structures(
+          "contours that exclude each other", [](RtSpec& s) { s.rois[0].contours[0].type = "CLOSEDPLANAR_XOR"; },
+          opens),
+      structures(
+          "contour type in lower case", [](RtSpec& s) { s.rois[0].contours[0].type = "closed_planar"; }, opens),
+      structures(
+          "contour type padded with NUL",
+          [](RtSpec& s) { s.rois[0].contours[0].type = std::string("CLOSED_PLANAR\0", 14); }, opens),
+      structures(
+          "coordinates padded with NUL and blanks",
+          [](RtSpec& s) { s.rois[0].contours[0].data = std::string("0\\0\\0\\ 2\\0 \\0\\2\\2\\0\\0\\2\\0\0", 26); },
+          opens),
+      structures(
+          "contour without coordinates", [](RtSpec& s) { s.rois[0].contours[0].data = ""; },
+          warning("a contour of a has 0 points but says 4")),
       structures(
           "open contour", [](RtSpec& s) { s.rois[0].contours[0].type = "OPEN_PLANAR"; },
           warning("points or open lines")),

@@ -1,6 +1,7 @@
 // Label maps with names and colours in tables of every kind, in NIfTI's extensions, and as folders of masks; whole and
 // damaged.
 
+#include <algorithm>
 #include <map>
 
 #include "tests/io/Defects.h"
@@ -89,6 +90,13 @@ const std::string freeSurfer =
 const std::string bids =
     "index\tname\tabbreviation\tcolor\tmapping\n1\tGray Matter\tGM\t#ff53bb\t1\n2\tWhite\tWM\t#2f8bbe\t2\n";
 
+/// As UTF-16 with a byte order mark, as spreadsheets write text.
+std::string wide(const std::string& text) {
+  std::string all = "\xff\xfe";
+  for (const char c : text) all += std::string{c, '\0'};
+  return all;
+}
+
 std::vector<Defect> tableDefects() {
   const std::vector<std::string> snapNames{"1 Left tumour core #ff0000", "2 Oedema #00ff00", "3 label 3"},
       surferNames{"1 Left-Cerebral-White-Matter #f5f5f5", "2 Left Lateral Ventricle #781286", "3 label 3"},
@@ -98,6 +106,8 @@ std::vector<Defect> tableDefects() {
       "241 214 145 255\n";
   const std::string slicerCsv =
       "LabelValue,Name,Color_R,Color_G,Color_B,Color_A\n1,soft tissue,128,174,128,255\n2,bone,241,214,145,255\n";
+  std::string semicolons = slicerCsv;
+  std::ranges::replace(semicolons, ',', ';');
   std::string whole;
   for (int value = 1; value <= 400; ++value)
     whole += std::to_string(value) + " structure-" + std::to_string(value) + " 1 2 3 0\n";
@@ -108,6 +118,19 @@ std::vector<Defect> tableDefects() {
       table("FreeSurfer's own table in the folder", "FreeSurferColorLUT.txt", freeSurfer, surferNames),
       table("a Slicer table", "map.ctbl", slicer, {"1 tissue #80ae80", "2 bone #f1d691"}),
       table("a Slicer table of commas", "map.csv", slicerCsv, {"1 soft tissue #80ae80", "2 bone #f1d691"}),
+      table("a Slicer table of semicolons", "map.csv", semicolons, {"1 soft tissue #80ae80", "2 bone #f1d691"}),
+      table("a table of quoted names", "map.csv",
+            "LabelValue,Name,Color_R,Color_G,Color_B\n1,\"kidney, left\",128,174,128\n2,\"a \"\"cyst\"\"\",1,2,3\n",
+            {"1 kidney, left #80ae80", "2 a \"cyst\" #010203"}),
+      table("an ITK-SNAP table of tabs and returns", "map.txt",
+            "1\t255\t0\t0\t1\t1\t1\t\"Left tumour core\"\r\n2\t0\t255\t0\t1\t1\t1\t\"Oedema\"\r\n", snapNames),
+      table("a FreeSurfer table of tabs", "map.txt", "1\tLeft Lateral Ventricle\t120\t18\t134\t0\n",
+            {"1 Left Lateral Ventricle #781286"}),
+      table("a BIDS table with returns", "map.tsv", "index\tname\tcolor\r\n1\tGray Matter\t#ff53bb\r\n",
+            {"1 Gray Matter #ff53bb"}),
+      table("a BIDS table of 16-bit characters", "map.tsv",
+            wide("index\tname\tcolor\n1\tGray Matter\t#ff53bb\n2\tNoyau caud\xe9\t#2f8bbe\n"),
+            {"1 Gray Matter #ff53bb", "2 Noyau caud\xc3\xa9 #2f8bbe"}),
       table("a BIDS table", "map.tsv", bids, bidsNames),
       table("a table of 400 structures", "map.txt", whole, {"1 structure-1 #010203", "3 structure-3"}),
       table("a table of numbers and names", "labels.tsv", "1\tleft kidney\n2\tspleen\n", {"1 left kidney", "2 spleen"}),
@@ -175,6 +198,14 @@ std::vector<Defect> maskDefects() {
             {"1 rib_2", "2 rib_10"}, opens),
       masks("of a structure that is not there", {{"liver.nii", liver}, {"aorta.nii", empty}}, {"1 aorta", "2 liver"},
             opens),
+      masks("with endings in their names", {{"liver.seg.nii.gz", gzipped(liver)}}, {"1 liver.seg"}, opens),
+      masks("of several formats",
+            {{"liver.nii", liver},
+             {"spleen.mha",
+              "NDims = 3\nDimSize = 4 1 1\nElementSpacing = 1 1 1\nOffset = 0 0 0\nElementType = MET_UCHAR\n"
+              "ElementDataFile = LOCAL\n" +
+                  std::string("\0\0\0\1", 4)}},
+            {"1 liver", "2 spleen"}, opens),
       masks("of 255", {{"liver.nii", niftiOf({255, 0, 0, 0})}}, {"1 liver"}, opens),
       masks("beside other files", {{"liver.nii", liver}, {"statistics.json", "{}"}}, {"1 liver"}, opens),
       masks("beside a map of several labels", {{"all.nii", niftiOf({0, 1, 2, 3})}, {"liver.nii", liver}}, {"1 liver"},
