@@ -5,11 +5,13 @@
 
 #include <QApplication>
 #include <QDockWidget>
+#include <QSignalSpy>
 #include <QTest>
 
 #include "io/study/ReadStudy.h"
 #include "tests/gui/PseudoLocale.h"
 #include "tests/gui/WindowFixture.h"
+#include "tests/support/TestData.h"
 #include "viewer/bars/NoticeBar.h"
 #include "viewer/dialogs/SeriesChooser.h"
 #include "viewer/dialogs/SpacingDialog.h"
@@ -61,6 +63,28 @@ TEST_F(Screenshots, LongLanguage) {
   QCoreApplication::installTranslator(&locale);
   shoot(QStringLiteral("long"));
   QCoreApplication::removeTranslator(&locale);
+}
+
+/// A study with a notice opened over another: what shows at once, and when all is drawn.
+TEST_F(Screenshots, AStudyOverAnother) {
+  FENESTRA_TEST_DATA_OR_SKIP(series, "labelled/totalsegmentator-dicom/example_ct_dicom");
+  FENESTRA_TEST_DATA_OR_SKIP(uneven, "dicom/ct-missing-slice");
+  Window::SetUp();
+  for (const QSize& size : {QSize(1366, 768), QSize(1920, 1080)}) {
+    window_->resize(size);
+    for (const auto& [path, name] : {std::pair{uneven, "uneven"}, std::pair{series, "series"}}) {
+      open(markedBall());
+      document().focusOn(marker);
+      waitUntilDrawn();
+      QSignalSpy opened(window_.get(), &MainWindow::opened);
+      window_->open(std::vector{path});
+      ASSERT_TRUE(opened.wait(patience));
+      save(window_->picture(MainWindow::Patient::Shown), QStringLiteral("at-once-") + QLatin1String(name));
+      document().growFrom(cursor().position());
+      waitUntilDrawn();
+      save(window_->picture(MainWindow::Patient::Shown), QStringLiteral("drawn-") + QLatin1String(name));
+    }
+  }
 }
 
 /// All that the window says of a study: notices of each kind, the patient, chips, and what is awaited.
