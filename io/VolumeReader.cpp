@@ -9,6 +9,7 @@
 #include "io/Probe.h"
 #include "io/base/Archive.h"
 #include "io/base/Memory.h"
+#include "io/base/OtherContent.h"
 #include "io/base/PlausibleGrid.h"
 #include "io/base/Text.h"
 #include "io/dicom/Dicom.h"
@@ -269,6 +270,8 @@ Format formatOf(const fs::path& path) {
   if (!ending.empty())
     throw Error(path, "is named " + std::string(ending) + " but its content is something else",
                 "the file is damaged or misnamed");
+  if (const OtherContent* other = otherContentOf(start.stored()))
+    throw Error(path, std::string("is ") + other->one + ", not a volume", other->way);
   throw Error(path, "holds no volume in a known format", WayOut::DescribeRaw);
 }
 

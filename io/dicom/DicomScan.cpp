@@ -2,8 +2,12 @@
 
 #include <algorithm>
 #include <iterator>
+#include <map>
 #include <optional>
+#include <string>
 
+#include "io/base/FileStart.h"
+#include "io/base/OtherContent.h"
 #include "io/base/SessionName.h"
 #include "io/base/VolumeEnding.h"
 #include "io/dicom/DicomDir.h"
@@ -48,18 +52,37 @@ std::vector<fs::path> filesToScan(const fs::path& path, DicomScan& scan) {
   return std::move(directory.files);
 }
 
-/// What to open instead of a folder without DICOM images.
-std::string wayOutOf(const fs::path& folder, const std::vector<fs::path>& files) {
+/// What to open instead of a folder without DICOM images; empty: it holds no volume file.
+std::optional<std::string> volumeIn(const fs::path& folder, const std::vector<fs::path>& files) {
   const auto isVolume = [](const fs::path& file) {
     const std::string_view ending = volumeEnding(file);
     return !ending.empty() && ending != ".img";  // a .hdr lies beside it
   };
   const auto first = std::find_if(files.begin(), files.end(), isVolume);
-  if (first == files.end()) return "name a folder with DICOM files, or a volume file itself";
+  if (first == files.end()) return std::nullopt;
   const auto others = std::count_if(std::next(first), files.end(), isVolume);
   std::string way = "open the volume file in it: " + first->lexically_relative(folder).string();
   if (others > 0) way += others == 1 ? " (or the other one)" : " (or one of " + std::to_string(others) + " others)";
   return way;
+}
+
+/// Throws the Error for files of which none is DICOM.
+[[noreturn]] void refuseOthers(const DicomScan& scan, const fs::path& path) {
+  const std::optional<std::string> volume = volumeIn(path, scan.notImages);
+  if (!volume) {
+    std::map<const OtherContent*, std::size_t> others;
+    for (const fs::path& file : scan.notImages) ++others[otherContentOf(FileStart(file).stored())];
+    others.erase(nullptr);
+    const auto most = std::max_element(others.begin(), others.end(),
+                                       [](const auto& a, const auto& b) { return a.second < b.second; });
+    if (most != others.end())
+      throw Error(path,
+                  "holds no DICOM images, but " +
+                      (most->second == 1 ? most->first->one : std::to_string(most->second) + " " + most->first->many),
+                  most->first->way);
+  }
+  throw Error(path, "holds no DICOM images",
+              volume.value_or("name a folder with DICOM files, or a volume file itself"));
 }
 
 /// What came of one file.
@@ -102,7 +125,7 @@ std::vector<Outcome> readAll(std::vector<fs::path>& paths, const ProgressPart& p
     throw Error(refused.size() == 1 ? refused.front() : path, reason,
                 "only DICOM images of one value a pixel can be opened as a volume");
   }
-  if (scan.unreadable.empty()) throw Error(path, "holds no DICOM images", wayOutOf(path, scan.notImages));
+  if (scan.unreadable.empty()) refuseOthers(scan, path);
   if (!fs::is_directory(path)) throw Error(path, scan.unreadableCauses.front(), "get the file again from its source");
   throw Error(path,
               "none of its " + std::to_string(scan.unreadable.size()) +

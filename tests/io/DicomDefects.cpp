@@ -423,6 +423,19 @@ std::vector<Defect> folderDefects() {
          return folder;
        },
        error("holds no DICOM images")},
+      {"a folder of pictures",
+       [](const fs::path& folder) {
+         for (const char* name : {"s1.png", "s2.png", "s3.png"}) writeFile(folder / name, "\x89PNG\r\n\x1a\n...");
+         writeFile(folder / "letter.pdf", "%PDF-1.4");
+         return folder;
+       },
+       error("holds no DICOM images, but 3 PNG pictures; pictures do not say where they lie")},
+      {"a folder of a document",
+       [](const fs::path& folder) {
+         writeFile(folder / "letter.pdf", "%PDF-1.4");
+         return folder;
+       },
+       error("holds no DICOM images, but a PDF document")},
       {"a folder of volume files",
        [](const fs::path& folder) {
          writeFile(folder / "ct.nii.gz", "a volume");

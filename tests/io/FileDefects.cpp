@@ -315,6 +315,13 @@ std::vector<Defect> otherDefects() {
       {"raw with a time point", file("a.raw", counting(24)), error("has no time point 2"), "2x3x4:int16", 2},
       {"an empty file", file("a.dcm", ""), error("is empty")},
       {"a missing file", [](const fs::path& folder) { return folder / "absent.nii"; }, error("does not exist")},
+      {"a jpeg picture", file("a.jpg", "\xff\xd8\xff\xe0..JFIF"), error("is a JPEG picture, not a volume")},
+      {"a bmp picture", file("a.bmp", std::string("BM\x76\x2\0\0\0\0\0\0\x36\0\0\0", 14)),
+       error("is a BMP picture, not a volume")},
+      {"a rar archive", file("a.rar", std::string("Rar!\x1a\x07\1\0", 8)),
+       error("is a RAR archive, not a volume; unpack it")},
+      {"a minc file", file("a.mnc", "\x89HDF\r\n\x1a\n..."), error("is an HDF5 file (MINC, MATLAB or others)")},
+      {"a vtk file", file("a.vtk", "# vtk DataFile Version 3.0\n"), error("is a VTK file, not a volume; convert it")},
       {"a letter named as a volume", file("a.nii", "Dear colleague"), error("is named .nii but its content")},
       {"a letter", file("a.txt", "Dear colleague"), error("holds no volume in a known format")},
   };
