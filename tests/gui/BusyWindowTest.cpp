@@ -127,6 +127,7 @@ TEST_F(BusyWindow, EachJobHasABarThatCancelsIt) {
   const std::shared_ptr<const LabelMap> labels = document().labels();
   for (const AskedJob& job : jobs) {
     SCOPED_TRACE(job.says);
+    waitUntilDrawn();  // only a finished picture is verified
     HeldThreads threads;
     job.ask();
     LoadingBar* its = shownJob();
