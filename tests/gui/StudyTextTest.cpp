@@ -36,10 +36,11 @@ io::Study studyOfSomebody() {
 
 TEST(PatientLines, AreWrittenAsPeopleReadThem) {
   const io::SeriesInfo series = studyOfSomebody().series;
-  EXPECT_EQ(patientLines(somebody(), series), (QStringList{"Vermeer, Johanna Maria", "ID QX-4711", "F · 1950-01-02",
-                                                           "Staging", "Thorax 1.0 B70", "2020-03-04"}));
+  EXPECT_EQ(patientLines(somebody(), series),
+            (QStringList{"Vermeer, Johanna Maria", "ID QX-4711", "F · born 1950-01-02", "Staging", "Thorax 1.0 B70",
+                         "2020-03-04"}));
   EXPECT_EQ(patientLines({"Yamada^Tarou=山田^太郎", "", "", ""}, {}), QStringList{"Yamada, Tarou"});
-  EXPECT_EQ(patientLines({"^", "", "O", "about 1950"}, {}), QStringList{"O · about 1950"});
+  EXPECT_EQ(patientLines({"^", "", "O", "about 1950"}, {}), QStringList{"O · born about 1950"});
   EXPECT_TRUE(patientLines({}, {}).isEmpty());
 }
 
@@ -72,7 +73,7 @@ TEST(PatientLines, ComeFromTheDicomFiles) {
   request.path = folder;
   const io::Study study = io::readStudy(request);
   EXPECT_EQ(patientLines(study.patient, study.series),
-            (QStringList{"Müller, Jörg", "ID 0815", "M · 1961-12-31", "Schädel", "2019-07-05"}));
+            (QStringList{"Müller, Jörg", "ID 0815", "M · born 1961-12-31", "Schädel", "2019-07-05"}));
   // The session holds none of these texts.
   const std::string session = io::textOf(study.session, folder / "s.fenestra");
   for (const char* secret : {"ller", "0815", "19611231", "Sch"}) EXPECT_EQ(session.find(secret), std::string::npos);

@@ -37,7 +37,10 @@ QStringList patientLines(const io::PatientText& patient, const io::SeriesInfo& s
   QStringList lines{nameText(patient.name)};
   if (const QString id = trimmed(patient.id); !id.isEmpty())
     lines << QCoreApplication::translate("Patient", "ID %1").arg(id);
-  QStringList person{trimmed(patient.sex), dateText(patient.birthDate)};
+  QStringList person{trimmed(patient.sex)};
+  // Said, so that nobody takes it for the date of the scan.
+  if (const QString born = dateText(patient.birthDate); !born.isEmpty())
+    person << QCoreApplication::translate("Patient", "born %1").arg(born);
   person.removeAll(QString());
   lines << person.join(QStringLiteral(" · ")) << trimmed(series.study) << trimmed(series.description)
         << dateText(series.date);

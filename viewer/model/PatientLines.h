@@ -8,8 +8,8 @@
 
 namespace fenestra::viewer {
 
-/// "Doe, Jane", "ID 4711", "F · 1950-01-02", the study's and the series' description, and the date; what is not known
-/// has no line.
+/// "Doe, Jane", "ID 4711", "F · born 1950-01-02", the study's and the series' description, and the date; what is not
+/// known has no line.
 QStringList patientLines(const io::PatientText& patient, const io::SeriesInfo& series);
 
 /// "Doe, Jane (4711)"; only what is known.
