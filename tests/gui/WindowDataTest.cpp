@@ -11,6 +11,7 @@
 #include <QDragEnterEvent>
 #include <QFileDialog>
 #include <QLabel>
+#include <QLineEdit>
 #include <QMessageBox>
 #include <QMimeData>
 #include <QPushButton>
@@ -114,8 +115,8 @@ void chooseBy(const MainWindow& window, const char* text, const std::filesystem:
     if (!dialog) return;
     if (std::filesystem::is_directory(path))
       dialog->setDirectory(toQString(path));
-    else
-      dialog->selectFile(toQString(path));
+    else  // selectFile() leaves the name alone while the user may be typing it
+      dialog->findChild<QLineEdit*>(QStringLiteral("fileNameEdit"))->setText(toQString(path));
     QMetaObject::invokeMethod(dialog, "accept");
   });
   choose.start(20);
