@@ -46,7 +46,7 @@ class ValueGrower {
   };
 
   bool computeCosts(const std::function<bool(double)>& goOn);
-  void costsOf(const VoxelBox& tile, const std::vector<TissueCost>& tissues);
+  void costsOf(const VoxelBox& tile, const std::vector<TissueCost>& tissues, EdgeSharpener& sharpener);
   void preparePaths(Kind& kind);
   std::optional<Flooded> floodBox(const std::function<bool(double)>& goOn);
   std::vector<Level> putBallsBack(const Flooded& flooded);

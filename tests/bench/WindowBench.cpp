@@ -135,6 +135,7 @@ class Bench {
     result["step"] = document.regionStep();
     result["ml"] = document.growth()->curve.volume[static_cast<std::size_t>(document.regionStep())] / 1000.0;
     if (outside) result["correction"] = click(*outside, Qt::ControlModifier);
+    result["turn"] = turn(0);
     return result;
   }
 
