@@ -11,6 +11,7 @@
 #include "io/study/ReadStudy.h"
 #include "rendering/segmentation/Mask.h"
 #include "rendering/segmentation/RegionFacts.h"
+#include "rendering/settings/SettingWords.h"
 
 namespace fenestra::cli {
 namespace {
@@ -72,6 +73,7 @@ void grow(const GrowOptions& options) {
       {"source", options.data.source()},
       {"seeds", listOf(options.region.inside)},
       {"outside", listOf(options.region.outside)},
+      {"by", wordOf(options.region.rule).word},
       {"tolerance", options.region.tolerance.value_or(growth.toleranceOf(step))},
       {"automatic", !options.region.tolerance},
       {"unit", volume.unit},

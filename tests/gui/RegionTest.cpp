@@ -239,20 +239,31 @@ TEST_F(Regions, ALargeRegionAsksBeforeThePicturesOpenToIt) {
   EXPECT_EQ(document_.focus(), before);
 }
 
-TEST_F(Regions, TheTissuesAreFoundOnce) {
+TEST_F(Regions, TheTissuesAreFoundOnceAndLiveAsLongAsTheRegion) {
+  EXPECT_EQ(grower_.memory().bytes(), 0u) << "before a click";
   click(left);
   waitUntilGrown();
-  const auto tissues = document_.growth()->tissues;
+  const std::shared_ptr<const segmentation::TissueTree> tissues = grower_.memory().tissues();
+  const std::shared_ptr<const segmentation::FirstRegion> first = grower_.memory().first();
   ASSERT_TRUE(tissues);
+  ASSERT_TRUE(first);
   EXPECT_EQ(document_.region()->rule, RegionRule::Tissues);
-  document_.setFocus(std::monostate{});
+  click(right, Qt::ShiftModifier);
+  waitUntilGrown();
+  EXPECT_EQ(grower_.memory().first(), first) << "a correction";
   click(right);
   waitUntilGrown();
-  EXPECT_EQ(document_.growth()->tissues, tissues);
-  document_.open(twoBalls());
-  click(left);
+  EXPECT_EQ(grower_.memory().tissues(), tissues);
+  EXPECT_NE(grower_.memory().first(), first) << "another region";
+  document_.setFocus(std::monostate{});
+  EXPECT_EQ(grower_.memory().bytes(), 0u) << "no region lives";
+  document_.undoStack().undo();
+  EXPECT_TRUE(document_.isWhole());
+  click(left, Qt::ControlModifier);
   waitUntilGrown();
-  EXPECT_NE(document_.growth()->tissues, tissues) << "another study";
+  EXPECT_TRUE(grower_.memory().tissues()) << "found again for a correction";
+  document_.open(twoBalls());
+  EXPECT_EQ(grower_.memory().bytes(), 0u) << "another study";
 }
 
 TEST_F(Regions, ABallBoundsTheRegion) {

@@ -203,7 +203,7 @@ TEST(RegionByTissues, ClicksAnywhereInABallGiveTheBall) {
       either += a + b;
     });
     EXPECT_GT(2.0 * both / either, 0.95) << offset.x << ' ' << offset.y << ' ' << offset.z;
-    EXPECT_EQ(growth.tissues, tree);
+    EXPECT_EQ(growth.bodyVolume, tree->bodyVolume());
   }
 }
 

@@ -12,7 +12,6 @@ namespace {
 using segmentation::Growth;
 
 constexpr double firstShare = 0.05;  ///< of the progress, for a first part
-constexpr double tissueShare = 0.5;  ///< of the progress, until the volume's tissues are found
 
 /// A first part that fills more than this of its box shows no structure.
 constexpr double mostOfPart = 0.9;
@@ -36,7 +35,7 @@ segmentation::Progress part(const io::Progress& inside, double begin, double end
 RegionGrower::RegionGrower(Document& document, QObject* parent) : QObject(parent), document_(document) {
   connect(&document, &Document::focusChanged, this, &RegionGrower::follow);
   connect(&document, &Document::volumeChanged, this, [this] {
-    tissues_.reset();
+    memory_ = {};
     follow();
   });
   connect(&job_, &LoadJob::failed, this, [this](const QString& message) {
@@ -57,7 +56,7 @@ void RegionGrower::follow() {
     starts_ = false;
     job_.cancel();
     if (!document_.asksToOpen()) before_ = document_.focus();
-    if (document_.growth() && document_.growth()->tissues) tissues_ = document_.growth()->tissues;
+    if (!document_.region()) memory_ = {};
     return;
   }
   if (wanted_ && segmentation::haveSameSeeds(*wanted_, *document_.region())) return;
@@ -69,7 +68,7 @@ void RegionGrower::follow() {
 }
 
 void RegionGrower::start() {
-  Task task{document_.study().scene.volume, *wanted_, false, tissues_, document_.grownBefore(*wanted_)};
+  Task task{document_.study().scene.volume, *wanted_, false, memory_, document_.grownBefore(*wanted_)};
   // A further seed changes a region that shows as a whole; a first part of it would be less than that.
   const auto* shown = std::get_if<RegionFocus>(&before_);
   task.showsPart = !task.before && (!shown || shown->origin() != wanted_->origin());
@@ -90,22 +89,9 @@ Document::Growing RegionGrower::grow(const Task& task, const io::Progress& progr
     return made(*segmentation::paintedOn(*growth, first, task.seeds, *task.volume));
   }
   showPart(task, part(progress, 0.0, firstShare));
-  std::shared_ptr<const segmentation::TissueTree> tissues = task.tissues;
-  const bool needsTissues = task.seeds.rule == RegionRule::Tissues && !task.seeds.inside.empty();
-  if (needsTissues && !tissues) {
-    tissues = segmentation::TissueTree::build(*task.volume, part(progress, firstShare, tissueShare));
-    if (!tissues) throw io::Cancelled();
-    // Also where this region is given up: the next click needs the same.
-    QMetaObject::invokeMethod(
-        this,
-        [this, tissues, volume = task.volume] {
-          if (document_.study().scene.volume == volume) tissues_ = tissues;
-        },
-        Qt::QueuedConnection);
-  }
   std::optional<Growth> growth =
       segmentation::growRegion(*task.volume, task.seeds, segmentation::wholeOf(task.volume->grid.dims),
-                               part(progress, task.tissues ? firstShare : tissueShare, 1.0), std::move(tissues));
+                               part(progress, firstShare, 1.0), task.memory);
   if (!growth) throw io::Cancelled();
   return made(std::move(*growth));
 }

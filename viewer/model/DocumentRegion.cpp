@@ -8,8 +8,7 @@
 namespace fenestra::viewer {
 namespace {
 
-/// Bytes that the growths of regions may hold together, one for each voxel and their tissues'; the latest stays
-/// whatever its size.
+/// Bytes that the growths of regions may hold together, one for each voxel; the latest stays whatever its size.
 constexpr std::size_t mostGrownBytes = std::size_t{256} << 20;
 /// A corrected region that has grown by no more than this factor is still the one that showed.
 constexpr double mostRefinedGrowth = 1.1;
@@ -76,15 +75,9 @@ void Document::setGrowth(const RegionFocus& seeds, Growing grown) {
 }
 
 void Document::limitGrown() {
-  // Growths of one volume share its tissues.
   const auto bytes = [this] {
     std::size_t sum = 0;
-    const segmentation::TissueTree* counted = nullptr;
-    for (const Grown& each : grown_) {
-      sum += each.growth->steps->voxels.byteCount();
-      const segmentation::TissueTree* tissues = each.growth->tissues.get();
-      if (tissues && tissues != std::exchange(counted, tissues)) sum += tissues->heldBytes();
-    }
+    for (const Grown& each : grown_) sum += each.growth->steps->voxels.byteCount();
     return sum;
   };
   while (grown_.size() > 1 && bytes() > mostGrownBytes) grown_.erase(grown_.begin());
