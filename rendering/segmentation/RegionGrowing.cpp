@@ -9,6 +9,7 @@
 #include <limits>
 #include <span>
 
+#include "rendering/segmentation/BoneTree.h"
 #include "rendering/segmentation/Morphology.h"
 #include "rendering/segmentation/Painting.h"
 #include "rendering/segmentation/Smoothing.h"
@@ -36,30 +37,40 @@ std::shared_ptr<LabelMap> emptySteps(const Grid& grid) {
   return steps;
 }
 
-/// Builds a volume's tissues beside other work, unless they are known.
+/// Builds a volume's tissues and bones beside other work, unless they are known.
 class TissueBuild {
  public:
-  TissueBuild(const Volume& volume, std::shared_ptr<const TissueTree> known) : known_(std::move(known)) {
-    if (!known_)
-      built_ = std::async(std::launch::async,
-                          [this, &volume] { return TissueTree::build(volume, [this](double) { return !stops_; }); });
+  TissueBuild(const Volume& volume, const GrowthMemory& memory) : memory_(memory) {
+    if (!memory.tissues() || (hasBones(volume) && !memory.bones()))
+      built_ = std::async(std::launch::async, [this, &volume] { build(volume); });
   }
   ~TissueBuild() { stops_ = true; }
   TissueBuild(const TissueBuild&) = delete;
   TissueBuild& operator=(const TissueBuild&) = delete;
 
-  /// Null when `goOn`, which is asked now and then, has returned false.
-  std::shared_ptr<const TissueTree> wait(const std::function<bool()>& goOn) {
-    if (known_) return known_;
+  /// Whether the memory holds them; false when `goOn`, which is asked now and then, has returned false.
+  bool wait(const std::function<bool()>& goOn) {
+    if (!built_.valid()) return true;
     while (built_.wait_for(std::chrono::milliseconds(20)) != std::future_status::ready)
-      if (!goOn()) return nullptr;
-    return built_.get();
+      if (!goOn()) return false;
+    built_.get();
+    return true;
   }
 
  private:
-  std::shared_ptr<const TissueTree> known_;
+  static bool hasBones(const Volume& volume) {
+    return volume.isInHounsfieldUnits() && volume.grid.voxelCount() < UINT32_MAX;
+  }
+
+  void build(const Volume& volume) {
+    if (!memory_.tissues()) memory_.tissues() = TissueTree::build(volume, [this](double) { return !stops_; });
+    if (hasBones(volume) && !memory_.bones() && !stops_)
+      memory_.bones() = BoneTree::build(volume, [this] { return !stops_; });
+  }
+
+  const GrowthMemory& memory_;
   std::atomic<bool> stops_ = false;
-  std::future<std::shared_ptr<const TissueTree>> built_;  ///< last: it is waited for while the others live
+  std::future<void> built_;  ///< last: it is waited for while the others live
 };
 
 /// Grows a region in a box, as its settings say.
@@ -87,15 +98,14 @@ class SeedGrower {
     // Before another one is grown: both would take twice the memory.
     if (memory.first() && !isWanted(*memory.first())) memory.first() = nullptr;
     {
-      TissueBuild build(volume_, memory.tissues());
+      TissueBuild build(volume_, memory);
       std::shared_ptr<FirstRegion> first;
       if (!memory.first() && !(first = grownByValues({inside.front()}, {}))) return std::nullopt;
-      memory.tissues() = build.wait([this] { return goOn(0.8); });
-      if (!memory.tissues() || !goOn(0.8)) return std::nullopt;
+      if (!build.wait([this] { return goOn(0.8); }) || !goOn(0.8)) return std::nullopt;
       if (first) {
         first->ball = settings.ball;
         first->centre = settings.inside.front();
-        letTissuesCompete(*first, *memory.tissues());
+        letOthersCompete(*first, *memory.tissues(), memory.bones().get());
         memory.first() = std::move(first);
       }
     }
@@ -123,21 +133,26 @@ class SeedGrower {
     return region;
   }
 
-  /// Replaces a region by values with the one by tissues where that is clearer, and begins with the clearest step.
-  void letTissuesCompete(FirstRegion& region, const TissueTree& tissues) const {
-    std::vector<Level> byTissues = tissues.joinsOf(volume_, std::span(&region.seed, 1));
-    keepToBall(byTissues);
-    GrowthCurve curve = curveOf(byTissues, region);
+  /// Replaces a region by values with the one by tissues or the bone where that is clearer, and begins with the
+  /// clearest step.
+  void letOthersCompete(FirstRegion& region, const TissueTree& tissues, const BoneTree* bones) const {
     const StructurePrior prior = priorOf(region, tissues);
-    const auto byValue = clearestStep(region.curve, prior, volume_.grid);
-    const auto byTissue = clearestStep(curve, prior, volume_.grid);
-    if (byTissue && (!byValue || byTissue->clarity > byValue->clarity + tissuesHandicap)) {
+    auto clearest = clearestStep(region.curve, prior, volume_.grid);
+    const auto compete = [&](std::vector<Level> joins, double handicap, int last, auto counts) {
+      keepToBall(joins);
+      GrowthCurve curve = curveOf(joins, region);
+      const auto other = clearestStep(curve, prior, volume_.grid, last);
+      if (!other || (clearest && other->clarity <= clearest->clarity + handicap) || !counts(joins, other->step)) return;
       region.curve = std::move(curve);
-      region.joins = std::move(byTissues);
-      beginWith(region.curve, byTissue->step);
-    } else if (byValue) {
-      beginWith(region.curve, byValue->step);
-    }
+      region.joins = std::move(joins);
+      clearest = other;
+    };
+    const auto always = [](const std::vector<Level>&, int) { return true; };
+    compete(tissues.joinsOf(volume_, std::span(&region.seed, 1)), tissuesHandicap, stepCount, always);
+    if (bones)
+      compete(bones->joinsOf(region.seed), 0.0, BoneTree::lastStep(),
+              [&](const std::vector<Level>& joins, int step) { return bones->isBone(volume_, joins, step); });
+    if (clearest) beginWith(region.curve, clearest->step);
   }
 
   /// The region of a first seed as the further ones change it.
