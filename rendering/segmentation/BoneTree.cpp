@@ -18,10 +18,10 @@ namespace {
 constexpr double neckUnit = 4.0;       ///< units of the noise: the cost of a neck of half the width
 constexpr double narrowestNeck = 0.3;  ///< parts with less in common are two bones at every tolerance
 constexpr double closingRadius = 2.0;  ///< voxel sides
-constexpr double jointWidth = 0.78;    ///< a narrower neck is a joint, a wider one is part of a bone
-/// HU, and deviations of the noise: values of bone differ more from their median, for one half of them, than those of
-/// blood or tissue with a contrast agent do.
-constexpr double leastSpread = 40.0, leastNoiseSpread = 2.0;
+constexpr double jointWidth = 0.7;     ///< a narrower neck is a joint, a wider one is part of a bone
+/// HU, and deviations of the noise: three in ten values of bone differ by more from their median, where those of blood
+/// or tissue with a contrast agent do not.
+constexpr double leastSpread = 45.0, leastNoiseSpread = 3.0, spreadQuantile = 0.7;
 
 /// Basins of the depth, and the greatest depth at which two of them meet.
 struct Watershed {
@@ -30,7 +30,7 @@ struct Watershed {
   std::vector<std::unordered_map<std::uint32_t, float>> saddles;  ///< by leaf: depths where it meets others
 };
 
-/// F. Meyer's flooding, from the deepest voxel on; a voxel between basins goes to the deepest one.
+/// From the deepest voxel on, each goes to the basin of its deepest neighbour.
 Watershed watershedOf(const VoxelSet& voxels, const std::vector<float>& depths, const VoxelBox& whole) {
   constexpr std::uint32_t none = UINT32_MAX;
   std::vector<std::uint32_t> order(voxels.size());
@@ -42,25 +42,27 @@ Watershed watershedOf(const VoxelSet& voxels, const std::vector<float>& depths, 
   for (const std::uint32_t number : order) {
     const glm::ivec3 at = whole.at(voxels.offsets()[number]);
     near.clear();
+    std::uint32_t steepest = none;  // the deepest of the neighbours that are deeper
     const VoxelBox around = VoxelBox{at - 1, at + 2}.clippedTo(whole);
     for (std::size_t i = 0; i < around.count(); ++i) {
       const std::size_t offset = whole.offset(around.at(i));
       if (!voxels.holds(offset)) continue;
-      const std::uint32_t leaf = result.leaves[voxels.numberOf(offset)];
-      if (leaf != none && std::find(near.begin(), near.end(), leaf) == near.end()) near.push_back(leaf);
+      const std::uint32_t other = voxels.numberOf(offset);
+      const std::uint32_t leaf = result.leaves[other];
+      if (leaf == none) continue;
+      if (steepest == none || depths[other] > depths[steepest]) steepest = other;
+      if (std::find(near.begin(), near.end(), leaf) == near.end()) near.push_back(leaf);
     }
-    if (near.empty()) {
-      near.push_back(static_cast<std::uint32_t>(result.peaks.size()));
+    const auto own = steepest == none ? static_cast<std::uint32_t>(result.peaks.size()) : result.leaves[steepest];
+    if (steepest == none) {
       result.peaks.push_back(depths[number]);
       result.saddles.emplace_back();
     }
-    // Leaves are numbered from the deepest on.
-    const std::uint32_t deepest = *std::min_element(near.begin(), near.end());
-    result.leaves[number] = deepest;
+    result.leaves[number] = own;
     for (const std::uint32_t other : near)
-      if (other != deepest) {
-        result.saddles[deepest].try_emplace(other, depths[number]);
-        result.saddles[other].try_emplace(deepest, depths[number]);
+      if (other != own) {
+        result.saddles[own].try_emplace(other, depths[number]);
+        result.saddles[other].try_emplace(own, depths[number]);
       }
   }
   return result;
@@ -205,14 +207,14 @@ bool BoneTree::isBone(const Volume& volume, std::span<const Level> joins, int st
   for (const std::uint32_t offset : voxels_.offsets())
     if (joins[offset] < step) values.push_back(volume.value(wholeOf(grid_.dims).at(offset)));
   if (values.empty()) return false;
-  const auto medianOf = [](std::vector<double>& of) {
-    const auto middle = of.begin() + static_cast<std::ptrdiff_t>(of.size() / 2);
-    std::nth_element(of.begin(), middle, of.end());
-    return *middle;
+  const auto quantile = [&](double share) {
+    const auto at = values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
+    std::nth_element(values.begin(), at, values.end());
+    return *at;
   };
-  const double median = medianOf(values);
+  const double median = quantile(0.5);
   for (double& value : values) value = std::abs(value - median);
-  return medianOf(values) >= std::max(leastSpread, leastNoiseSpread * noiseOf(volume).deviation);
+  return quantile(spreadQuantile) >= std::max(leastSpread, leastNoiseSpread * noiseOf(volume).deviation);
 }
 
 std::size_t BoneTree::heldBytes() const {

@@ -15,7 +15,7 @@ namespace fenestra::segmentation {
 namespace {
 
 constexpr double softTissue = 40.0;     ///< HU: the reference of tones
-constexpr double largestCanal = 400.0;  ///< mm² in one plane: a vertebral canal, a medullary cavity
+constexpr double largestCanal = 800.0;  ///< mm² in one plane: a medullary cavity, a vertebral canal
 
 bool reaches(const Volume& volume, const VoxelBox& box, double least) {
   return volume.voxels.visit([&](auto scalars) {
@@ -210,6 +210,24 @@ VoxelSet boneVoxels(const Volume& volume) {
   std::vector<std::uint8_t> mask = denseVoxels(volume);
   fillCanals(mask, volume.grid);
   return VoxelSet(mask);
+}
+
+std::vector<Level> boneCosts(const Volume& volume, const Noise& noise) {
+  std::vector<Level> costs(volume.grid.voxelCount());
+  volume.voxels.visit([&](auto scalars) {
+    parallelFor(costs.size(), std::size_t{1} << 16, [&](std::size_t begin, std::size_t end) {
+      // Neighbours are seldom far apart: the logarithm is taken anew for another value alone.
+      double last = boneFrom;
+      Level level = 0;
+      for (std::size_t i = begin; i < end; ++i) {
+        const double value = finiteValue(scalars[i], volume);
+        if (value != last) level = value < boneFrom ? levelOf((boneFrom - value) / noise.unit) : Level{0};
+        last = value;
+        costs[i] = level;
+      }
+    });
+  });
+  return costs;
 }
 
 std::vector<float> depthsOf(const VoxelSet& voxels, const Grid& grid) { return DepthSpreader(voxels, grid).run(); }

@@ -3,6 +3,8 @@
 
 #include <vector>
 
+#include "rendering/segmentation/Levels.h"
+#include "rendering/segmentation/Smoothing.h"
 #include "rendering/segmentation/VoxelSet.h"
 #include "rendering/volume/Volume.h"
 
@@ -14,6 +16,10 @@ inline constexpr double boneFrom = 125.0;  ///< HU: spongy bone begins here, sof
 /// no larger than a marrow canal: bone is brightest in its shell. Contrast agent, calcifications and metal are dense,
 /// too. `volume` is in Hounsfield units. Runs on all cores.
 VoxelSet boneVoxels(const Volume& volume);
+
+/// By voxel of the volume: how far its value lies below boneFrom, as a cost; nothing for what is dense. Runs on all
+/// cores.
+std::vector<Level> boneCosts(const Volume& volume, const Noise& noise);
 
 /// By number: mm from the centre of a voxel of the set to that of the nearest one outside it, along ways within the set
 /// that each pass on their nearest voxel (P.-E. Danielsson: Euclidean distance mapping, Computer Graphics and Image

@@ -10,6 +10,7 @@
 #include <span>
 
 #include "rendering/segmentation/BoneTree.h"
+#include "rendering/segmentation/BoneVoxels.h"
 #include "rendering/segmentation/Morphology.h"
 #include "rendering/segmentation/Painting.h"
 #include "rendering/segmentation/Smoothing.h"
@@ -24,6 +25,7 @@ constexpr double tissuesHandicap = 0.25;  ///< of the clarity: a region by tissu
 // a structure's usual size: what a click missed is seldom larger, a leak is. Apart from it, it means a structure of its
 // own, which may be far larger.
 constexpr double mostOfMissed = 0.5, mostOfOther = 10.0, mostAdded = 20.0;
+constexpr double marrowShare = 0.9;    ///< of a region that lies in a bone
 constexpr double leastContrast = 1.0;  ///< deviations of the noise, of a border
 constexpr double besideRadius = 4.0;   ///< voxel sides
 
@@ -133,26 +135,44 @@ class SeedGrower {
     return region;
   }
 
-  /// Replaces a region by values with the one by tissues or the bone where that is clearer, and begins with the
-  /// clearest step.
+  /// Replaces a region by values with the one by tissues or the bone where that is clearer, one of marrow with its
+  /// bone, and begins with the clearest step.
   void letOthersCompete(FirstRegion& region, const TissueTree& tissues, const BoneTree* bones) const {
     const StructurePrior prior = priorOf(region, tissues);
     auto clearest = clearestStep(region.curve, prior, volume_.grid);
-    const auto compete = [&](std::vector<Level> joins, double handicap, int last, auto counts) {
+    const auto compete = [&](std::vector<Level> joins, std::span<const Level> costs, int last, auto wins) {
       keepToBall(joins);
-      GrowthCurve curve = curveOf(joins, region);
+      GrowthCurve curve = curveOf(joins, costs, region.noise);
       const auto other = clearestStep(curve, prior, volume_.grid, last);
-      if (!other || (clearest && other->clarity <= clearest->clarity + handicap) || !counts(joins, other->step)) return;
+      if (!other || !wins(joins, *other)) return;
       region.curve = std::move(curve);
       region.joins = std::move(joins);
       clearest = other;
     };
-    const auto always = [](const std::vector<Level>&, int) { return true; };
-    compete(tissues.joinsOf(volume_, std::span(&region.seed, 1)), tissuesHandicap, stepCount, always);
+    compete(tissues.joinsOf(volume_, std::span(&region.seed, 1)), region.costs, stepCount,
+            [&](const std::vector<Level>&, const ClearestStep& other) {
+              return !clearest || other.clarity > clearest->clarity + tissuesHandicap;
+            });
     if (bones)
-      compete(bones->joinsOf(region.seed), 0.0, BoneTree::lastStep(),
-              [&](const std::vector<Level>& joins, int step) { return bones->isBone(volume_, joins, step); });
+      compete(bones->joinsOf(region.seed), boneCosts(volume_, region.noise), BoneTree::lastStep(),
+              [&](const std::vector<Level>& joins, const ClearestStep& other) {
+                return bones->isBone(volume_, joins, other.step) &&
+                       (!clearest || other.clarity > clearest->clarity ||
+                        isMarrow(region.joins, clearest->step, joins, other.step));
+              });
     if (clearest) beginWith(region.curve, clearest->step);
+  }
+
+  /// Whether a region lies in a bone, and most of it is less dense than bone.
+  bool isMarrow(const std::vector<Level>& joins, int step, const std::vector<Level>& bone, int boneStep) const {
+    std::size_t all = 0, within = 0, soft = 0;
+    for (std::size_t i = 0; i < joins.size(); ++i)
+      if (joins[i] < step) {
+        ++all;
+        within += bone[i] < boneStep ? 1 : 0;
+        soft += volume_.value(wholeOf(volume_.grid.dims).at(i)) < boneFrom ? 1 : 0;
+      }
+    return static_cast<double>(within) >= marrowShare * static_cast<double>(all) && 2 * soft > all;
   }
 
   /// The region of a first seed as the further ones change it.
@@ -237,7 +257,10 @@ class SeedGrower {
   bool isGasAt(glm::ivec3 seed) const { return volume_.isInHounsfieldUnits() && volume_.value(seed) < gasBelow; }
 
   GrowthCurve curveOf(const std::vector<Level>& joins, const FirstRegion& first) const {
-    return growthCurve(joins, first.costs, volume_.grid, box_.dims(), first.noise.share());
+    return curveOf(joins, first.costs, first.noise);
+  }
+  GrowthCurve curveOf(const std::vector<Level>& joins, std::span<const Level> costs, const Noise& noise) const {
+    return growthCurve(joins, costs, volume_.grid, box_.dims(), noise.share());
   }
 
   Growth growthOf(const std::vector<Level>& joins, GrowthCurve curve, const Noise& noise, double bodyVolume) const {
