@@ -110,6 +110,26 @@ TEST_F(Regions, AClickGrowsTheStructureAndShowsAFirstPartOfIt) {
   EXPECT_TRUE(document_.isWhole()) << "undo comes back to what was grown, at once";
 }
 
+TEST_F(Regions, AStructureLargerThanTheFirstPartShowsItsOutlineOnTheSlice) {
+  const glm::dvec3 centre(89.5);
+  document_.open(study(glm::ivec3(180), {centre}, 80.0));
+  int parts = 0;
+  QObject::connect(&document_, &Document::focusChanged, &grower_, [&] {
+    if (!document_.growth() || document_.isWhole()) return;
+    ++parts;
+    const segmentation::Growth& part = *document_.growth();
+    EXPECT_EQ(part.box.dims().x, 180);
+    EXPECT_LT(part.box.dims().z, 50);
+    EXPECT_TRUE(part.box.contains(glm::ivec3(centre)));
+    const double disc = 3.14159265358979 * 80.0 * 80.0 * part.box.dims().z;
+    EXPECT_NEAR(document_.regionVolume(), disc, 0.1 * disc);
+    EXPECT_EQ(shownVolume(), 0.0) << "a layer is no structure";
+  });
+  click(centre);
+  waitUntilGrown();
+  EXPECT_EQ(parts, 1);
+}
+
 TEST_F(Regions, TheToleranceChangesTheRegionAtOnceAndIsUndone) {
   click(left);
   waitUntilGrown();
