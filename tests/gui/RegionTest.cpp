@@ -130,6 +130,25 @@ TEST_F(Regions, AStructureLargerThanTheFirstPartShowsItsOutlineOnTheSlice) {
   EXPECT_EQ(parts, 1);
 }
 
+TEST_F(Regions, AFirstPartGoesWhereTheWholeRegionAsks) {
+  const glm::dvec3 centre(78.5);
+  document_.open(study(glm::ivec3(158), {centre}, 54.0));  // a sixth of the volume
+  bool showedPart = false;
+  QObject::connect(&document_, &Document::focusChanged, &grower_, [&] {
+    showedPart = showedPart || (document_.growth() && !document_.isWhole() && shownVolume() > 0.0);
+  });
+  QSignalSpy scenes(&document_, &Document::sceneChanged);
+  click(centre);
+  waitUntilGrown();
+  EXPECT_TRUE(showedPart);
+  ASSERT_TRUE(document_.asksToOpen());
+  EXPECT_EQ(shownVolume(), 0.0);
+  EXPECT_EQ(scenes.count(), 2) << "the part comes and goes";
+  document_.openToRegion();
+  EXPECT_GT(shownVolume(), 0.0);
+  EXPECT_EQ(scenes.count(), 3);
+}
+
 TEST_F(Regions, TheToleranceChangesTheRegionAtOnceAndIsUndone) {
   click(left);
   waitUntilGrown();

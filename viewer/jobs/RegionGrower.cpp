@@ -13,8 +13,9 @@ using segmentation::Growth;
 
 constexpr double firstShare = 0.05;  ///< of the progress, for a first part
 
-/// A first part that fills more than this of its box shows no structure.
-constexpr double mostOfPart = 0.9;
+/// A first part that fills more than this of its box is cut by it: a ball that touches all faces fills half. Of a layer
+/// of slices, a part that fills more shows no outline.
+constexpr double mostOfBox = 0.5, mostOfLayer = 0.9;
 /// A region that fills more than this of the volume is no structure. It would hide all else.
 constexpr double mostOfVolume = 0.5;
 
@@ -113,11 +114,12 @@ void RegionGrower::showPart(const Task& task, const segmentation::Progress& prog
   const segmentation::VoxelBox near = segmentation::previewBox(*task.volume, task.seeds);
   if (!task.showsPart || near == whole) return;
   std::optional<Growth> growth;
-  for (const segmentation::VoxelBox& box : {near, layerAround(*task.volume, task.seeds)}) {
+  for (const auto& [box, most] :
+       {std::pair(near, mostOfBox), std::pair(layerAround(*task.volume, task.seeds), mostOfLayer)}) {
     if (box.empty() || box == whole) return;
     growth = segmentation::growRegion(*task.volume, task.seeds, box, progress);
     if (!growth) throw io::Cancelled();
-    if (shareOf(*growth, task.seeds) <= mostOfPart) break;
+    if (shareOf(*growth, task.seeds) <= most) break;
     growth.reset();
   }
   if (!growth) return;

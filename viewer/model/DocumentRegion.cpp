@@ -75,7 +75,15 @@ void Document::setGrowth(const RegionFocus& seeds, Growing grown) {
     limitGrown();
   }
   if (!region() || !segmentation::haveSameSeeds(seeds, *region())) return;
-  const bool showsOther = updateDrawn();
+  bool showsOther = false;
+  if (!isPart && std::exchange(showsPreview_, false) && asksToOpen()) {
+    // Nothing was in focus before the first part, and nothing is until the user has answered.
+    SetScene without = study_.scene;
+    without.look.focus = std::monostate{};
+    study_.drawn.update(without, nullptr);
+    showsOther = true;
+  }
+  showsOther |= updateDrawn();
   Q_EMIT focusChanged();
   if (showsOther) Q_EMIT sceneChanged();
 }
