@@ -92,6 +92,7 @@ class Regions : public testing::Test {
 
 TEST_F(Regions, AClickGrowsTheStructureAndShowsAFirstPartOfIt) {
   QSignalSpy changes(&document_, &Document::focusChanged);
+  QSignalSpy scenes(&document_, &Document::sceneChanged);
   bool showedPart = false;
   QObject::connect(&document_, &Document::focusChanged, &grower_, [&] {
     showedPart = showedPart || (document_.growth() && !document_.isWhole() && shownVolume() > 0.0);
@@ -101,6 +102,7 @@ TEST_F(Regions, AClickGrowsTheStructureAndShowsAFirstPartOfIt) {
   EXPECT_EQ(document_.undoStack().count(), 1);
   waitUntilGrown();
   EXPECT_TRUE(showedPart);
+  EXPECT_EQ(scenes.count(), 2) << "the part and the whole: pictures are drawn for no other reason";
   EXPECT_NEAR(shownVolume(), ball, 0.05 * ball);  // the surface's voxels are about a tenth of the ball; half may err
   EXPECT_FALSE(document_.labels());
   document_.undoStack().undo();
