@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "app/RegionOptions.h"
 #include "app/cli/Commands.h"
 #include "app/cli/Report.h"
 #include "io/LabelWriter.h"
@@ -11,7 +12,6 @@
 #include "io/study/ReadStudy.h"
 #include "rendering/segmentation/Mask.h"
 #include "rendering/segmentation/RegionFacts.h"
-#include "rendering/settings/SettingWords.h"
 
 namespace fenestra::cli {
 namespace {
@@ -73,7 +73,7 @@ void grow(const GrowOptions& options) {
       {"source", options.data.source()},
       {"seeds", listOf(options.region.inside)},
       {"outside", listOf(options.region.outside)},
-      {"by", wordOf(options.region.rule).word},
+      {"by", app::wordOfRule(options.region.rule)},
       {"tolerance", options.region.tolerance.value_or(growth.toleranceOf(step))},
       {"automatic", !options.region.tolerance},
       {"unit", volume.unit},

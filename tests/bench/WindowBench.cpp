@@ -162,7 +162,11 @@ class Bench {
     takeBlocks();
     SliceView* axial = window_.views().sliceViews().front();
     const QPointF at = axial->widgetFromWorld(world);
+    times_.clear();
+    Json changes = Json::array();
+    QObject context;
     const double clicked = now();
+    QObject::connect(&document, &Document::sceneChanged, &context, [&] { changes.push_back(now() - clicked); });
     sendMouse(axial, QEvent::MouseButtonPress, at, Qt::LeftButton, Qt::LeftButton, modifiers);
     sendMouse(axial, QEvent::MouseButtonRelease, at, Qt::LeftButton, Qt::NoButton, modifiers);
     if (!document.region()) throw std::runtime_error("no region grows from the click");
@@ -179,6 +183,10 @@ class Bench {
     result["blocks_while_growing"] = takeBlocks();
     waitUntilDrawn();
     result["placed_and_at_rest_ms"] = now() - clicked;
+    result["scene_changes_ms"] = changes;
+    for (std::size_t view = 0; view < 2; ++view)
+      for (const double time : times_.of(view))
+        result["C" + std::to_string(view + 1) + "_pictures_ms"].push_back(time - clicked);
     result["blocks_while_placing"] = takeBlocks();
     return result;
   }

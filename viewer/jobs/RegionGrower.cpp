@@ -13,10 +13,23 @@ using segmentation::Growth;
 
 constexpr double firstShare = 0.05;  ///< of the progress, for a first part
 
-/// A first part that fills more than this of its box shows no structure.
-constexpr double mostOfPart = 0.9;
+/// A first part that fills more than this of its box is cut by it: a ball that touches all faces fills half. Of a layer
+/// of slices, a part that fills more shows no outline.
+constexpr double mostOfBox = 0.5, mostOfLayer = 0.9;
 /// A region that fills more than this of the volume is no structure. It would hide all else.
 constexpr double mostOfVolume = 0.5;
+
+/// The layer of slices around the first seed: a structure that fills a box around the click has an outline there. As
+/// many voxels as previewBox() holds, and five slices at least, for paths as wide as a ball.
+segmentation::VoxelBox layerAround(const Volume& volume, const RegionFocus& region) {
+  constexpr int most = 1'400'000, leastHalf = 2;
+  const glm::ivec3 dims = volume.grid.dims;
+  const auto voxel = segmentation::voxelAt(volume.grid, region.inside.front());
+  if (!voxel) return {};
+  const int half = std::max(leastHalf, most / (dims.x * dims.y) / 2);
+  return segmentation::VoxelBox{{0, 0, voxel->z - half}, {dims.x, dims.y, voxel->z + half + 1}}.clippedTo(
+      segmentation::wholeOf(dims));
+}
 
 /// The share of the volume's box that a region fills.
 double shareOf(const Growth& growth, const RegionFocus& region) {
@@ -97,11 +110,19 @@ Document::Growing RegionGrower::grow(const Task& task, const io::Progress& progr
 }
 
 void RegionGrower::showPart(const Task& task, const segmentation::Progress& progress) {
+  const segmentation::VoxelBox whole = segmentation::wholeOf(task.volume->grid.dims);
   const segmentation::VoxelBox near = segmentation::previewBox(*task.volume, task.seeds);
-  if (!task.showsPart || near == segmentation::wholeOf(task.volume->grid.dims)) return;
-  std::optional<Growth> growth = segmentation::growRegion(*task.volume, task.seeds, near, progress);
-  if (!growth) throw io::Cancelled();
-  if (shareOf(*growth, task.seeds) > mostOfPart) return;
+  if (!task.showsPart || near == whole) return;
+  std::optional<Growth> growth;
+  for (const auto& [box, most] :
+       {std::pair(near, mostOfBox), std::pair(layerAround(*task.volume, task.seeds), mostOfLayer)}) {
+    if (box.empty() || box == whole) return;
+    growth = segmentation::growRegion(*task.volume, task.seeds, box, progress);
+    if (!growth) throw io::Cancelled();
+    if (shareOf(*growth, task.seeds) <= most) break;
+    growth.reset();
+  }
+  if (!growth) return;
   QMetaObject::invokeMethod(
       this,
       [this, seeds = task.seeds, part = std::make_shared<const Growth>(std::move(*growth))] {
