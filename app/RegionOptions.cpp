@@ -74,6 +74,8 @@ Option addSeedOptions(Command command, RegionFocus& region) {
   return seed;
 }
 
+std::string wordOfRule(RegionRule rule) { return wordOf(rule).word; }
+
 Option addSelectOption(Command command, RegionFocus& region) {
   const std::string form = "[-]ball:L,P,S:R[:SOFTNESS]";
   command.group("Region growing");

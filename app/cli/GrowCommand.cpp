@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "app/RegionOptions.h"
 #include "app/cli/Commands.h"
 #include "app/cli/Report.h"
 #include "io/LabelWriter.h"
@@ -72,6 +73,7 @@ void grow(const GrowOptions& options) {
       {"source", options.data.source()},
       {"seeds", listOf(options.region.inside)},
       {"outside", listOf(options.region.outside)},
+      {"by", app::wordOfRule(options.region.rule)},
       {"tolerance", options.region.tolerance.value_or(growth.toleranceOf(step))},
       {"automatic", !options.region.tolerance},
       {"unit", volume.unit},

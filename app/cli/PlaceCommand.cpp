@@ -56,7 +56,7 @@ Json scanJson(const ScanShape& scan) {
   for (std::size_t f = 0; f < scan.faces.size(); ++f)
     ends[std::string(1, "LPSRAI"[f])] = {
         {"cut", scan.faces[f].cut}, {"contact", scan.faces[f].contact}, {"behind", scan.faces[f].behind}};
-  return {{"ends", ends}, {"flatness", scan.flatness}, {"front", listOf(scan.front)}};
+  return {{"ends", ends}, {"flatness", scan.flatness}, {"front", listOf(scan.front)}, {"offset", listOf(scan.offset)}};
 }
 
 Json cameraJson(const Measured& measured, std::optional<std::size_t> index, const Options& by, const Framing& framed,
@@ -136,7 +136,8 @@ void place(const PlaceOptions& options) {
       {"habits",
        {{"avoid_cut_ends", by.habits.avoidCutEnds},
         {"upright_first", by.habits.uprightFirst},
-        {"flat_from_front", by.habits.flatFromFront}}},
+        {"flat_from_front", by.habits.flatFromFront},
+        {"near_side_first", by.habits.nearSideFirst}}},
       {"scan", scanJson(measured->scan)},
       {"surface", {{"mm2", measured->surfaceArea}, {"points", measured->surfacePoints}}},
       {"milliseconds", {{"upload", uploadTime}, {"measure", times}, {"choose", chooseTime}}},

@@ -132,6 +132,8 @@ void addHabits(app::Command command, placement::Habits& habits) {
   add("--upright-first", "from around the patient rather than from above or below, where both show as much",
       habits.uprightFirst);
   add("--flat-from-front", "a thin stack of slices from its front, not edge-on", habits.flatFromFront);
+  add("--near-side-first", "from the side of the body that the focus is nearer to, where both show as much",
+      habits.nearSideFirst);
 }
 
 }  // namespace

@@ -58,6 +58,7 @@ void members(auto& io, Is<Habits> auto& habits) {
   io("avoid_cut_ends", habits.avoidCutEnds, {}, {"Not through an end of the scan where the body goes on"});
   io("upright_first", habits.uprightFirst, {}, {"From around the patient rather than from above or below"});
   io("flat_from_front", habits.flatFromFront, {}, {"A thin stack of slices from its front"});
+  io("near_side_first", habits.nearSideFirst, {}, {"From the side of the body that the focus is nearer to"});
 }
 
 void members(auto& io, Is<LiveSyncWeights> auto& weights) {

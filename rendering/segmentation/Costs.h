@@ -39,7 +39,11 @@ class TissueCost {
 /// ordered by cost. An edge then lies where a voxel holds more of the one tissue than of the other.
 class EdgeSharpener {
  public:
-  EdgeSharpener(const Volume& volume, const VoxelBox& box, const ToneScale& scale);
+  /// Both outlive this.
+  EdgeSharpener(const Volume& volume, const ToneScale& scale);
+
+  /// The box that forRows() visits. Boxes of one size share their memory.
+  void read(const VoxelBox& box);
 
   /// visit(y, z, levels of the row), for all rows of the box.
   template <class Visit>
@@ -56,11 +60,14 @@ class EdgeSharpener {
  private:
   void sharpenRow(int y, int z);
 
+  const ToneScale& scale_;
+  ToneSmoother smooth_;
   VoxelBox box_, read_;
-  float leastEdge_;                    ///< units of the noise
-  std::vector<float> tones_, values_;  ///< of read_; values are tones without the display window's
-  std::vector<float> costs_;           ///< of read_
-  std::vector<float> row_;             ///< sharpened costs
+  float leastEdge_;               ///< units of the noise
+  std::span<const float> tones_;  ///< of read_
+  std::vector<float> values_;     ///< of read_; tones without the display window's
+  std::vector<float> costs_;      ///< of read_
+  std::vector<float> row_;        ///< sharpened costs
   std::vector<Level> levels_;
 };
 

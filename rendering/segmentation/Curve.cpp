@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
+#include <cstring>
 #include <limits>
 #include <mutex>
 #include <numbers>
@@ -76,8 +78,14 @@ class Counter {
     std::size_t at = wholeOf(dims_).offset({0, 0, z});
     for (int y = 0; y < dims_.y; ++y)
       for (int x = 0; x < dims_.x; ++x, ++at) {
-        if (joins_[at] != never) ++sums.voxels[joins_[at]];
         const glm::bvec3 last(x + 1 == dims_.x, y + 1 == dims_.y, z + 1 == dims_.z);
+        if (const int alike = countAlike(at, x, last, steps); alike > 0) {
+          if (joins_[at] != never) sums.voxels[joins_[at]] += alike;
+          x += alike - 1;
+          at += static_cast<std::size_t>(alike) - 1;
+          continue;
+        }
+        if (joins_[at] != never) ++sums.voxels[joins_[at]];
         for (int axis = 0; axis < 3; ++axis)
           if (!last[axis] && joins_[at] != joins_[at + steps[static_cast<std::size_t>(axis)]])
             face(at, at + steps[static_cast<std::size_t>(axis)], faceArea_[axis], sums);
@@ -85,6 +93,21 @@ class Counter {
   }
 
  private:
+  /// Eight where that many voxels from one on join with it, and with all their next ones; otherwise none.
+  int countAlike(std::size_t at, int x, glm::bvec3 last, const std::array<std::size_t, 3>& steps) const {
+    constexpr int many = sizeof(std::uint64_t);
+    if (x + many >= dims_.x) return 0;
+    const auto some = [&](std::size_t from) {
+      std::uint64_t levels;
+      std::memcpy(&levels, joins_.data() + from, sizeof levels);
+      return levels;
+    };
+    const std::uint64_t own = some(at);
+    const bool alike =
+        own == some(at + 1) && (last.y || own == some(at + steps[1])) && (last.z || own == some(at + steps[2]));
+    return alike ? many : 0;
+  }
+
   /// The face between two voxels is part of the surface from the level of the one until the other joins.
   void face(std::size_t a, std::size_t b, double area, Sums& sums) const {
     if (joins_[a] > joins_[b]) std::swap(a, b);

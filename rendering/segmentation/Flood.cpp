@@ -8,55 +8,62 @@ namespace {
 
 /// One kind of seeds. Within a level the order does not matter, so a voxel brings along the run of voxels beside it,
 /// and runs find each other as rows do, next to each other in memory: some three times as fast as voxel by voxel.
+/// `Index` counts the voxels: the smaller it is, the less memory is read.
+template <class Index>
 class RunFlooding {
  public:
   explicit RunFlooding(const FloodSource& source)
-      : costs_(source.costs->all()), reached_(source.costs->dims()), levels_(reached_.all()) {
-    const auto width = static_cast<std::size_t>(source.costs->dims().x + 2);
-    const auto slice = width * static_cast<std::size_t>(source.costs->dims().y + 2);
+      : costs_(source.costs->all().data()), reached_(source.costs->dims()), levels_(reached_.all().data()) {
+    const auto width = static_cast<Index>(source.costs->dims().x + 2);
+    const auto slice = static_cast<Index>(width * static_cast<Index>(source.costs->dims().y + 2));
     // Unsigned numbers wrap around: adding one of the last two goes back.
-    rows_ = {width, slice, std::size_t{0} - width, std::size_t{0} - slice};
-    for (const glm::ivec3 seed : source.seeds) wait(reached_.offset(seed));
+    rows_ = {width, slice, static_cast<Index>(Index{0} - width), static_cast<Index>(Index{0} - slice)};
+    for (const glm::ivec3 seed : source.seeds) wait(static_cast<Index>(reached_.offset(seed)));
   }
 
   void run(int level) {
     level_ = static_cast<Level>(level);
-    std::vector<std::size_t>& waiting = waiting_[level_];
-    for (const std::size_t at : waiting) {
+    std::vector<Index>& waiting = waiting_[level_];
+    for (const Index at : waiting) {
       spreadFrom(at);
       while (!joining_.empty()) {
-        const std::size_t next = joining_.back();
+        const Index next = joining_.back();
         joining_.pop_back();
         if (levels_[next] != never) continue;  // another run has brought it along
         levels_[next] = level_;
         spreadFrom(next);
       }
     }
-    std::vector<std::size_t>().swap(waiting);
+    std::vector<Index>().swap(waiting);
   }
 
   PaddedLevels take() { return std::move(reached_); }
 
  private:
   /// Reaches a voxel later, at its own cost.
-  void wait(std::size_t at) {
-    if (levels_[at] != never || costs_[at] == never) return;
-    levels_[at] = costs_[at];
-    waiting_[costs_[at]].push_back(at);
+  void wait(Index at) {
+    const Level cost = costs_[at];
+    if (levels_[at] != never || cost == never) return;
+    levels_[at] = cost;
+    waiting_[cost].push_back(at);
   }
 
-  bool joins(std::size_t at) const { return levels_[at] == never && costs_[at] <= level_; }
-
   /// From a voxel that is reached at this level, along its row and into the four rows beside it.
-  void spreadFrom(std::size_t at) {
-    std::size_t first = at, last = at;
-    while (joins(first - 1)) levels_[--first] = level_;
-    while (joins(last + 1)) levels_[++last] = level_;
+  void spreadFrom(Index at) {
+    // Bytes that are written may be anything to a compiler: it would read the members again after each.
+    Level* const levels = levels_;
+    const Level* const costs = costs_;
+    const Level level = level_;
+    const auto joins = [=](Index i) { return levels[i] == never && costs[i] <= level; };
+    Index first = at, last = at;
+    while (joins(first - 1)) levels[--first] = level;
+    while (joins(last + 1)) levels[++last] = level;
     wait(first - 1);
     wait(last + 1);
-    for (const std::size_t row : rows_) {
+    for (const Index row : rows_) {
       bool isInRun = false;
-      for (std::size_t i = first + row; i != last + row + 1; ++i) {
+      const Index end = last + row + 1;
+      for (Index i = first + row; i != end; ++i) {
         const bool joining = joins(i);
         if (joining && !isInRun) joining_.push_back(i);
         if (!joining) wait(i);
@@ -65,13 +72,13 @@ class RunFlooding {
     }
   }
 
-  const std::vector<Level>& costs_;
+  const Level* costs_;
   PaddedLevels reached_;
-  std::vector<Level>& levels_;
-  std::array<std::size_t, 4> rows_{};
+  Level* levels_;
+  std::array<Index, 4> rows_{};
   Level level_ = 0;
-  std::array<std::vector<std::size_t>, levelCount> waiting_;
-  std::vector<std::size_t> joining_;  ///< reached at this level, one of each run
+  std::array<std::vector<Index>, levelCount> waiting_;
+  std::vector<Index> joining_;  ///< reached at this level, one of each run
 };
 
 /// Voxels by the level at which they are reached; two kinds of seeds.
@@ -161,9 +168,12 @@ Flooded flood(const FloodSource& inside, const FloodSource& outside, const std::
     }
   };
   if (!outside.costs) {
-    RunFlooding flooding(inside);
-    runAll(flooding);
-    return {flooding.take(), {}};
+    const auto run = [&](auto flooding) -> Flooded {
+      runAll(flooding);
+      return {flooding.take(), {}};
+    };
+    return inside.costs->all().size() <= UINT32_MAX ? run(RunFlooding<std::uint32_t>(inside))
+                                                    : run(RunFlooding<std::size_t>(inside));
   }
   Flooding flooding(inside, outside, std::max(escapeLevel(inside), escapeLevel(outside)));
   runAll(flooding);

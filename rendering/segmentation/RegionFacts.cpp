@@ -45,8 +45,8 @@ bool isAir(const Volume& volume, glm::ivec3 voxel) {
 }
 
 std::optional<double> shareOfBody(const Growth& growth, int step) {
-  if (!growth.tissues || growth.tissues->bodyVolume() <= 0.0) return std::nullopt;
-  return volumeAt(growth, step) / growth.tissues->bodyVolume();
+  if (growth.bodyVolume <= 0.0) return std::nullopt;
+  return volumeAt(growth, step) / growth.bodyVolume;
 }
 
 void GrowthFacts::Sums::add(const Sums& other) {

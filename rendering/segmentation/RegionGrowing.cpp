@@ -1,11 +1,16 @@
 #include "rendering/segmentation/RegionGrowing.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cassert>
+#include <chrono>
 #include <cmath>
+#include <future>
 #include <limits>
 #include <span>
 
+#include "rendering/segmentation/BoneTree.h"
+#include "rendering/segmentation/BoneVoxels.h"
 #include "rendering/segmentation/Morphology.h"
 #include "rendering/segmentation/Painting.h"
 #include "rendering/segmentation/Smoothing.h"
@@ -20,6 +25,7 @@ constexpr double tissuesHandicap = 0.25;  ///< of the clarity: a region by tissu
 // a structure's usual size: what a click missed is seldom larger, a leak is. Apart from it, it means a structure of its
 // own, which may be far larger.
 constexpr double mostOfMissed = 0.5, mostOfOther = 10.0, mostAdded = 20.0;
+constexpr double marrowShare = 0.9;    ///< of a region that lies in a bone
 constexpr double leastContrast = 1.0;  ///< deviations of the noise, of a border
 constexpr double besideRadius = 4.0;   ///< voxel sides
 
@@ -33,64 +39,164 @@ std::shared_ptr<LabelMap> emptySteps(const Grid& grid) {
   return steps;
 }
 
+/// Builds a volume's tissues and bones beside other work, unless they are known.
+class TissueBuild {
+ public:
+  TissueBuild(const Volume& volume, const GrowthMemory& memory) : memory_(memory) {
+    if (!memory.tissues() || (hasBones(volume) && !memory.bones()))
+      built_ = std::async(std::launch::async, [this, &volume] { build(volume); });
+  }
+  ~TissueBuild() { stops_ = true; }
+  TissueBuild(const TissueBuild&) = delete;
+  TissueBuild& operator=(const TissueBuild&) = delete;
+
+  /// Whether the memory holds them; false when `goOn`, which is asked now and then, has returned false.
+  bool wait(const std::function<bool()>& goOn) {
+    if (!built_.valid()) return true;
+    while (built_.wait_for(std::chrono::milliseconds(20)) != std::future_status::ready)
+      if (!goOn()) return false;
+    built_.get();
+    return true;
+  }
+
+ private:
+  static bool hasBones(const Volume& volume) {
+    return volume.isInHounsfieldUnits() && volume.grid.voxelCount() < UINT32_MAX;
+  }
+
+  void build(const Volume& volume) {
+    if (!memory_.tissues()) memory_.tissues() = TissueTree::build(volume, [this](double) { return !stops_; });
+    if (hasBones(volume) && !memory_.bones() && !stops_)
+      memory_.bones() = BoneTree::build(volume, [this] { return !stops_; });
+  }
+
+  const GrowthMemory& memory_;
+  std::atomic<bool> stops_ = false;
+  std::future<void> built_;  ///< last: it is waited for while the others live
+};
+
 /// Grows a region in a box, as its settings say.
 class SeedGrower {
  public:
   SeedGrower(const Volume& volume, const VoxelBox& box, const RegionFocus& settings, const Progress& progress)
-      : volume_(volume), box_(box), progress_(progress), byValues_(volume, box) {
+      : volume_(volume), box_(box), progress_(progress) {
     if (settings.ball > 0.0) ball_ = {settings.inside.front(), settings.ball};
   }
 
   /// By values alone.
   std::optional<Growth> run(const RegionFocus& settings) {
-    std::optional<std::vector<Level>> joins = joinsByValues(seedsIn(settings.inside), seedsIn(settings.outside));
-    if (!joins) return std::nullopt;
-    return growthOf(*joins, curveOf(*joins), nullptr);
+    const auto region = grownByValues(seedsIn(settings.inside), seedsIn(settings.outside));
+    if (!region) return std::nullopt;
+    return growthOf(region->joins, region->curve, region->noise, 0.0);
   }
 
   /// From the first seed by values or by tissues of the whole volume, whichever is clearer; what the further seeds mean
   /// is added, and what the seeds outside mean is taken away.
-  std::optional<Growth> run(const RegionFocus& settings, std::shared_ptr<const TissueTree> tissues) {
+  std::optional<Growth> run(const RegionFocus& settings, const GrowthMemory& memory) {
     const std::vector<glm::ivec3> inside = seedsIn(settings.inside), outside = seedsIn(settings.outside);
-    const std::span<const glm::ivec3> first = std::span(inside).first(1);
-    std::optional<std::vector<Level>> joins = joinsByValues({inside.front()}, {});
-    if (!joins) return std::nullopt;
-    GrowthCurve curve = curveOf(*joins);
-    std::vector<Level> byTissues = tissues->joinsOf(volume_, first);
-    keepToBall(byTissues);
+    const auto isWanted = [&](const FirstRegion& first) {
+      return first.seed == inside.front() && first.ball == settings.ball && first.centre == settings.inside.front();
+    };
+    // Before another one is grown: both would take twice the memory.
+    if (memory.first() && !isWanted(*memory.first())) memory.first() = nullptr;
+    {
+      TissueBuild build(volume_, memory);
+      std::shared_ptr<FirstRegion> first;
+      if (!memory.first() && !(first = grownByValues({inside.front()}, {}))) return std::nullopt;
+      if (!build.wait([this] { return goOn(0.8); }) || !goOn(0.8)) return std::nullopt;
+      if (first) {
+        first->ball = settings.ball;
+        first->centre = settings.inside.front();
+        letOthersCompete(*first, *memory.tissues(), memory.bones().get());
+        memory.first() = std::move(first);
+      }
+    }
     if (!goOn(0.9)) return std::nullopt;
-    GrowthCurve other = curveOf(byTissues);
-    StructurePrior prior = structurePrior(tissues->bodyVolume(), isGasAt(inside.front()));
-    prior.contrast = leastContrast * byValues_.noise().share();
-    const auto byValue = clearestStep(curve, prior, volume_.grid), byTissue = clearestStep(other, prior, volume_.grid);
-    if (byTissue && (!byValue || byTissue->clarity > byValue->clarity + tissuesHandicap)) {
-      curve = std::move(other);
-      joins = std::move(byTissues);
-      beginWith(curve, byTissue->step);
-    } else if (byValue) {
-      beginWith(curve, byValue->step);
-    }
-    const int automatic = curve.automatic;
-    // The region at the chosen step, whatever the tolerance: it must not depend on when seeds were added.
-    StructurePrior further = prior;
-    further.expected = curve.volume[static_cast<std::size_t>(automatic)];
-    for (const glm::ivec3& seed : std::span(inside).subspan(1)) addTissueAt(seed, *tissues, further, automatic, *joins);
-    for (const glm::ivec3& seed : outside) takeTissueAt(seed, inside, *tissues, prior, automatic, *joins);
-    if (inside.size() > 1 || !outside.empty()) {
-      // The tolerance stays: what is added and taken away is all that changes.
-      curve = curveOf(*joins);
-      beginWith(curve, automatic);
-    }
-    return growthOf(*joins, std::move(curve), std::move(tissues));
+    const FirstRegion& first = *memory.first();
+    const double body = memory.tissues()->bodyVolume();
+    if (inside.size() == 1 && outside.empty()) return growthOf(first.joins, first.curve, first.noise, body);
+    return corrected(first, inside, outside, *memory.tissues());
   }
 
  private:
   /// Empty when cancelled.
-  std::optional<std::vector<Level>> joinsByValues(const std::vector<glm::ivec3>& inside,
-                                                  const std::vector<glm::ivec3>& outside) {
-    std::optional<std::vector<Level>> joins = byValues_.joins(inside, outside, progress_);
-    if (joins) keepToBall(*joins);
-    return joins;
+  std::shared_ptr<FirstRegion> grownByValues(const std::vector<glm::ivec3>& inside,
+                                             const std::vector<glm::ivec3>& outside) const {
+    ValueGrower byValues(volume_, box_);
+    std::optional<std::vector<Level>> joins = byValues.joins(inside, outside, progress_);
+    if (!joins) return nullptr;
+    keepToBall(*joins);
+    auto region = std::make_shared<FirstRegion>();
+    region->seed = inside.front();
+    region->joins = std::move(*joins);
+    region->costs = byValues.takeCosts();
+    region->noise = byValues.noise();
+    region->curve = curveOf(region->joins, *region);
+    return region;
+  }
+
+  /// Replaces a region by values with the one by tissues or the bone where that is clearer, one of marrow with its
+  /// bone, and begins with the clearest step.
+  void letOthersCompete(FirstRegion& region, const TissueTree& tissues, const BoneTree* bones) const {
+    const StructurePrior prior = priorOf(region, tissues);
+    auto clearest = clearestStep(region.curve, prior, volume_.grid);
+    const auto compete = [&](std::vector<Level> joins, std::span<const Level> costs, int last, auto wins) {
+      keepToBall(joins);
+      GrowthCurve curve = curveOf(joins, costs, region.noise);
+      const auto other = clearestStep(curve, prior, volume_.grid, last);
+      if (!other || !wins(joins, *other)) return;
+      region.curve = std::move(curve);
+      region.joins = std::move(joins);
+      clearest = other;
+    };
+    compete(tissues.joinsOf(volume_, std::span(&region.seed, 1)), region.costs, stepCount,
+            [&](const std::vector<Level>&, const ClearestStep& other) {
+              return !clearest || other.clarity > clearest->clarity + tissuesHandicap;
+            });
+    if (bones)
+      compete(bones->joinsOf(region.seed), boneCosts(volume_, region.noise), BoneTree::lastStep(),
+              [&](const std::vector<Level>& joins, const ClearestStep& other) {
+                return bones->isBone(volume_, joins, other.step) &&
+                       (!clearest || other.clarity > clearest->clarity ||
+                        isMarrow(region.joins, clearest->step, joins, other.step));
+              });
+    if (clearest) beginWith(region.curve, clearest->step);
+  }
+
+  /// Whether a region lies in a bone, and most of it is less dense than bone.
+  bool isMarrow(const std::vector<Level>& joins, int step, const std::vector<Level>& bone, int boneStep) const {
+    std::size_t all = 0, within = 0, soft = 0;
+    for (std::size_t i = 0; i < joins.size(); ++i)
+      if (joins[i] < step) {
+        ++all;
+        within += bone[i] < boneStep ? 1 : 0;
+        soft += volume_.value(wholeOf(volume_.grid.dims).at(i)) < boneFrom ? 1 : 0;
+      }
+    return static_cast<double>(within) >= marrowShare * static_cast<double>(all) && 2 * soft > all;
+  }
+
+  /// The region of a first seed as the further ones change it.
+  Growth corrected(const FirstRegion& first, const std::vector<glm::ivec3>& inside,
+                   const std::vector<glm::ivec3>& outside, const TissueTree& tissues) const {
+    const StructurePrior prior = priorOf(first, tissues);
+    std::vector<Level> joins = first.joins;
+    const int automatic = first.curve.automatic;
+    // The region at the chosen step, whatever the tolerance: it must not depend on when seeds were added.
+    StructurePrior further = prior;
+    further.expected = first.curve.volume[static_cast<std::size_t>(automatic)];
+    for (const glm::ivec3& seed : std::span(inside).subspan(1))
+      addTissueAt(seed, tissues, further, first, automatic, joins);
+    for (const glm::ivec3& seed : outside) takeTissueAt(seed, inside, tissues, prior, first, automatic, joins);
+    // The tolerance stays: what is added and taken away is all that changes.
+    GrowthCurve curve = curveOf(joins, first);
+    beginWith(curve, automatic);
+    return growthOf(joins, std::move(curve), first.noise, tissues.bodyVolume());
+  }
+
+  StructurePrior priorOf(const FirstRegion& region, const TissueTree& tissues) const {
+    StructurePrior prior = structurePrior(tissues.bodyVolume(), isGasAt(region.seed));
+    prior.contrast = leastContrast * region.noise.share();
+    return prior;
   }
 
   /// Nothing joins outside the ball around the first seed, where there is one.
@@ -109,15 +215,15 @@ class SeedGrower {
 
   /// The clearest tissue at a further seed joins at the step `automatic`, with its own larger and smaller ones around
   /// it.
-  void addTissueAt(const glm::ivec3& seed, const TissueTree& tissues, StructurePrior prior, int automatic,
-                   std::vector<Level>& joins) const {
+  void addTissueAt(const glm::ivec3& seed, const TissueTree& tissues, StructurePrior prior, const FirstRegion& first,
+                   int automatic, std::vector<Level>& joins) const {
     const std::size_t at = wholeOf(volume_.grid.dims).offset(seed);
     if (joins[at] < automatic) return;
     const double share = isBeside(seed, joins, automatic) ? mostOfMissed : mostOfOther;
     prior.most = prior.limit = std::min(prior.most, std::max(share * prior.expected, mostAdded * prior.usual));
     std::vector<Level> own = tissues.joinsOf(volume_, std::span(&seed, 1));
     keepToBall(own);
-    const auto clearest = clearestStep(curveOf(own), prior, volume_.grid);
+    const auto clearest = clearestStep(curveOf(own, first), prior, volume_.grid);
     const int shift = automatic - (clearest ? clearest->step : 1);
     for (std::size_t i = 0; i < joins.size(); ++i)
       if (own[i] != never)
@@ -127,12 +233,12 @@ class SeedGrower {
   /// What is nearer to a seed outside leaves at every step: of the region at the step `automatic` its clearest tissue
   /// that holds no seed inside, and all of what joins later.
   void takeTissueAt(const glm::ivec3& seed, const std::vector<glm::ivec3>& inside, const TissueTree& tissues,
-                    StructurePrior prior, int automatic, std::vector<Level>& joins) const {
+                    StructurePrior prior, const FirstRegion& first, int automatic, std::vector<Level>& joins) const {
     prior.most = prior.limit = std::numeric_limits<double>::infinity();
     const std::vector<Level> own = tissues.joinsOf(volume_, std::span(&seed, 1), inside);
     int apart = stepCount;  // the last step that holds no seed inside
     for (const glm::ivec3 each : inside) apart = std::min<int>(apart, own[wholeOf(volume_.grid.dims).offset(each)]);
-    const auto clearest = clearestStep(curveOf(own), prior, volume_.grid, apart);
+    const auto clearest = clearestStep(curveOf(own, first), prior, volume_.grid, apart);
     const int last = clearest ? clearest->step : std::max(1, apart);
     const std::vector<std::uint8_t> taken = tissues.takenBy(volume_, inside, std::span(&seed, 1));
     for (std::size_t i = 0; i < joins.size(); ++i)
@@ -150,16 +256,19 @@ class SeedGrower {
 
   bool isGasAt(glm::ivec3 seed) const { return volume_.isInHounsfieldUnits() && volume_.value(seed) < gasBelow; }
 
-  GrowthCurve curveOf(const std::vector<Level>& joins) const {
-    return growthCurve(joins, byValues_.costs(), volume_.grid, box_.dims(), byValues_.noise().share());
+  GrowthCurve curveOf(const std::vector<Level>& joins, const FirstRegion& first) const {
+    return curveOf(joins, first.costs, first.noise);
+  }
+  GrowthCurve curveOf(const std::vector<Level>& joins, std::span<const Level> costs, const Noise& noise) const {
+    return growthCurve(joins, costs, volume_.grid, box_.dims(), noise.share());
   }
 
-  Growth growthOf(const std::vector<Level>& joins, GrowthCurve curve, std::shared_ptr<const TissueTree> tissues) const {
+  Growth growthOf(const std::vector<Level>& joins, GrowthCurve curve, const Noise& noise, double bodyVolume) const {
     Growth growth;
     growth.box = box_;
-    growth.noise = byValues_.noise().unit;
+    growth.noise = noise.unit;
     growth.curve = std::move(curve);
-    growth.tissues = std::move(tissues);
+    growth.bodyVolume = bodyVolume;
     growth.steps = stepsOf(joins);
     goOn(1.0);
     return growth;
@@ -189,7 +298,6 @@ class SeedGrower {
   const Volume& volume_;
   VoxelBox box_;
   const Progress& progress_;
-  ValueGrower byValues_;
   struct Ball {
     glm::dvec3 centre;  ///< world mm
     double radius;      ///< mm
@@ -281,7 +389,7 @@ VoxelBox previewBox(const Volume& volume, const RegionFocus& settings) {
 }
 
 std::optional<Growth> growRegion(const Volume& volume, const RegionFocus& settings, const VoxelBox& reach,
-                                 const Progress& progress, std::shared_ptr<const TissueTree> tissues) {
+                                 const Progress& progress, const GrowthMemory& memory) {
   const VoxelBox whole = wholeOf(volume.grid.dims), box = reach.clippedTo(whole);
   const bool grows = std::any_of(settings.inside.begin(), settings.inside.end(), [&](glm::dvec3 seed) {
     const auto voxel = voxelAt(volume.grid, seed);
@@ -292,12 +400,7 @@ std::optional<Growth> growRegion(const Volume& volume, const RegionFocus& settin
   if (!grows) {
     growth = nothingGrown(volume);
   } else if (settings.rule == RegionRule::Tissues && box == whole) {
-    constexpr double treeShare = 0.5;  // of the progress
-    const auto within = [&](double begin, double end) -> Progress {
-      return [&progress, begin, end](double share) { return !progress || progress(std::lerp(begin, end, share)); };
-    };
-    if (!tissues) tissues = TissueTree::build(volume, within(0.0, treeShare));
-    if (tissues) growth = SeedGrower(volume, box, settings, within(treeShare, 1.0)).run(settings, tissues);
+    growth = SeedGrower(volume, box, settings, progress).run(settings, memory);
   } else {
     growth = SeedGrower(volume, box, settings, progress).run(settings);
   }

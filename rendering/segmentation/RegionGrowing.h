@@ -8,8 +8,9 @@
 // thin structures can be grown too. In the end the ball is put back.
 //
 // By tissues: the volume's tissues are found first, and merged two by two (TissueTree.h). A voxel joins at the cost of
-// the first merge that holds it and the seed. Of all regions of the first seed, by values and by tissues, the clearest
-// one is chosen (Curve.h); one that is more of the body than a structure is only where nothing else is clear. A further
+// the first merge that holds it and the seed. In a CT the bone at the seed competes, too, parted from its neighbours at
+// the joints (BoneTree.h). Of all regions of the first seed, by values, by tissues and as a bone, the clearest one is
+// chosen (Curve.h); one that is more of the body than a structure is only where nothing else is clear. A further
 // seed adds its own clearest region at the same tolerance. A seed outside takes away what is nearer to it: of the
 // chosen region its clearest tissue that holds no seed inside, and all of what a greater tolerance would add.
 
@@ -20,7 +21,7 @@
 
 #include "rendering/scene/Scene.h"
 #include "rendering/segmentation/Curve.h"
-#include "rendering/segmentation/TissueTree.h"
+#include "rendering/segmentation/GrowthMemory.h"
 #include "rendering/segmentation/VoxelBox.h"
 
 namespace fenestra::segmentation {
@@ -37,7 +38,7 @@ struct Growth {
   VoxelBox box;        ///< where `steps` may be other than 0
   double noise = 1.0;  ///< Noise::unit, real values
   GrowthCurve curve;
-  std::shared_ptr<const TissueTree> tissues;  ///< of the volume; null for RegionRule::Values
+  double bodyVolume = 0.0;  ///< mm³ of the volume that is no air; 0 for RegionRule::Values, which asks for none
 
   /// Real values below the seed's that step n allows, and the step that allows `tolerance`.
   double toleranceOf(int step) const;
@@ -73,9 +74,9 @@ VoxelBox previewBox(const Volume& volume, const RegionFocus& settings);
 /// Grows within `reach`, the whole volume for the final result or previewBox() for a first look. Seeds outside `reach`
 /// are ignored, strokes are not; `settings.tolerance` is not used. Empty when cancelled. Takes five bytes a voxel of
 /// `reach` while it runs, eight with outside seeds, beside the result's one. By tissues it grows the region by values,
-/// too, and takes the clearer one; `tissues` is the volume's, built here where it is null. A first look, in less than
-/// the whole volume, is by values. Runs on all cores; call it off the GUI thread.
+/// too, and takes the clearer one, with what `memory` holds of the volume, and adds to that what it lacks. A first
+/// look, in less than the whole volume, is by values. Runs on all cores; call it off the GUI thread.
 std::optional<Growth> growRegion(const Volume& volume, const RegionFocus& settings, const VoxelBox& reach,
-                                 const Progress& progress = {}, std::shared_ptr<const TissueTree> tissues = nullptr);
+                                 const Progress& progress = {}, const GrowthMemory& memory = {});
 
 }  // namespace fenestra::segmentation

@@ -15,62 +15,46 @@ constexpr WindowLevel softTissue{400.0, 40.0};
 /// Share of a display window that the eye tells apart in a texture.
 constexpr double seenShare = 0.02;
 
-/// Real value of a stored one, finite.
-template <class T>
-double finiteValue(T stored, const Volume& volume) {
-  const double real = volume.slope * static_cast<double>(stored) + volume.intercept;
-  if constexpr (std::is_floating_point_v<T>)
-    return std::isnan(real) ? volume.range.low : std::clamp(real, volume.range.low, volume.range.high);
-  return real;
-}
-
-/// Numbers on a small grid, x fastest.
-struct Block {
-  glm::ivec3 dims;
-  std::vector<float> values;
-
-  explicit Block(glm::ivec3 size) : dims(size), values(VoxelBox{glm::ivec3(0), size}.count()) {}
-};
-
-/// Sums of three neighbours along an axis, whose side shrinks by two.
-Block sumsAlong(const Block& from, int axis) {
-  glm::ivec3 dims = from.dims;
+/// Sums of three neighbours along an axis of `dims` numbers, whose side shrinks by two.
+void sumAlong(int axis, glm::ivec3& dims, const std::vector<float>& from, std::vector<float>& to) {
+  const VoxelBox before = wholeOf(dims);
+  const std::size_t step = axis == 0 ? 1 : before.offset(axis == 1 ? glm::ivec3(0, 1, 0) : glm::ivec3(0, 0, 1));
   dims[axis] -= 2;
-  Block to(dims);
-  const std::size_t strides[3] = {1, static_cast<std::size_t>(from.dims.x),
-                                  static_cast<std::size_t>(from.dims.x) * static_cast<std::size_t>(from.dims.y)};
-  const std::size_t step = strides[axis];
+  to.resize(wholeOf(dims).count());
   for (int z = 0; z < dims.z; ++z)
     for (int y = 0; y < dims.y; ++y) {
-      const float* row =
-          from.values.data() + static_cast<std::size_t>(y) * strides[1] + static_cast<std::size_t>(z) * strides[2];
-      float* sums = to.values.data() + VoxelBox{glm::ivec3(0), dims}.offset({0, y, z});
+      const float* row = from.data() + before.offset({0, y, z});
+      float* sums = to.data() + wholeOf(dims).offset({0, y, z});
       for (std::size_t x = 0; x < static_cast<std::size_t>(dims.x); ++x)
         sums[x] = row[x] + row[x + step] + row[x + 2 * step];
     }
-  return to;
 }
 
-/// Mean of 3×3×3; each side shrinks by two.
-Block means(const Block& from) {
-  Block to = sumsAlong(sumsAlong(sumsAlong(from, 0), 1), 2);
-  for (float& value : to.values) value *= 1.0f / 27.0f;
-  return to;
+/// Replaces numbers on a grid by means of 3×3×3 of them; each side shrinks by two.
+void takeMeans(glm::ivec3 dims, std::vector<float>& values, std::vector<float>& scratch) {
+  sumAlong(0, dims, values, scratch);
+  sumAlong(1, dims, scratch, values);
+  sumAlong(2, dims, values, scratch);
+  for (float& value : scratch) value *= 1.0f / 27.0f;
+  values.swap(scratch);
 }
 
 /// The voxels of `box`, which may reach beyond the volume: its edge is repeated there.
 template <class T>
-Block tonesOf(std::span<const T> scalars, const Volume& volume, const VoxelBox& box, const ToneScale& scale) {
-  Block block(box.dims());
+void readTones(std::span<const T> scalars, const Volume& volume, const VoxelBox& box, const ToneScale& scale,
+               std::vector<float>& tones) {
+  tones.resize(box.count());
   const glm::ivec3 last = volume.grid.dims - 1;
-  float* to = block.values.data();
+  float* to = tones.data();
   for (int z = box.low.z; z < box.high.z; ++z)
     for (int y = box.low.y; y < box.high.y; ++y) {
       const T* row = scalars.data() + volume.grid.offset({0, std::clamp(y, 0, last.y), std::clamp(z, 0, last.z)});
-      for (int x = box.low.x; x < box.high.x; ++x)
-        *to++ = static_cast<float>(scale(finiteValue(row[std::clamp(x, 0, last.x)], volume)));
+      const auto toneAt = [&](int x) { return static_cast<float>(scale(finiteValue(row[x], volume))); };
+      const int first = std::clamp(0, box.low.x, box.high.x), end = std::clamp(last.x + 1, first, box.high.x);
+      for (int x = box.low.x; x < first; ++x) *to++ = toneAt(0);
+      for (int x = first; x < end; ++x) *to++ = toneAt(x);
+      for (int x = end; x < box.high.x; ++x) *to++ = toneAt(last.x);
     }
-  return block;
 }
 
 }  // namespace
@@ -109,34 +93,41 @@ Noise noiseOf(const Volume& volume) {
   return {deviation, std::max(least, deviation)};
 }
 
-std::vector<float> smoothedTones(const Volume& volume, const VoxelBox& box, const ToneScale& scale) {
-  const VoxelBox read = box.grownBy(glm::ivec3(2));
-  const Block values = volume.voxels.visit([&](auto scalars) { return tonesOf(scalars, volume, read, scale); });
-  Block squares(values.dims);
-  std::transform(values.values.begin(), values.values.end(), squares.values.begin(), [](float v) { return v * v; });
+std::span<const float> ToneSmoother::operator()(const VoxelBox& box) {
+  const VoxelBox read = box.grownBy(glm::ivec3(2)), inner = box.grownBy(glm::ivec3(1));
+  volume_.voxels.visit([&](auto scalars) { readTones(scalars, volume_, read, scale_, values_); });
+  slope_.resize(values_.size());
+  std::transform(values_.begin(), values_.end(), slope_.begin(), [](float v) { return v * v; });
+  intercept_.assign(values_.begin(), values_.end());
+  takeMeans(read.dims(), slope_, sums_);
+  takeMeans(read.dims(), intercept_, sums_);
   // q = a v + b with a = σ² / (σ² + ε) and b = (1 - a) v̄, both averaged over the windows that hold the voxel. A volume
   // without noise needs no smoothing; ε keeps the quotient finite there.
-  const auto share = static_cast<float>(scale.noise().share());
+  const auto share = static_cast<float>(scale_.noise().share());
   const float epsilon = std::max(1e-3f, flatness * share * share);
-  Block slope = means(squares), intercept = means(values);
-  for (std::size_t i = 0; i < slope.values.size(); ++i) {
-    const float mean = intercept.values[i], variance = std::max(0.0f, slope.values[i] - mean * mean);
-    slope.values[i] = variance / (variance + epsilon);
-    intercept.values[i] = (1.0f - slope.values[i]) * mean;
+  for (std::size_t i = 0; i < slope_.size(); ++i) {
+    const float mean = intercept_[i], variance = std::max(0.0f, slope_[i] - mean * mean);
+    slope_[i] = variance / (variance + epsilon);
+    intercept_[i] = (1.0f - slope_[i]) * mean;
   }
-  slope = means(slope);
-  intercept = means(intercept);
-  std::vector<float> smoothed(box.count());
-  const VoxelBox all = wholeOf(values.dims);
+  takeMeans(inner.dims(), slope_, sums_);
+  takeMeans(inner.dims(), intercept_, sums_);
+  smoothed_.resize(box.count());
   const glm::ivec3 dims = box.dims();
   for (int z = 0; z < dims.z; ++z)
     for (int y = 0; y < dims.y; ++y) {
       const std::size_t begin = wholeOf(dims).offset({0, y, z});
-      const float* row = values.values.data() + all.offset({2, y + 2, z + 2});
+      const float* row = values_.data() + wholeOf(read.dims()).offset({2, y + 2, z + 2});
       for (std::size_t x = 0; x < static_cast<std::size_t>(dims.x); ++x)
-        smoothed[begin + x] = slope.values[begin + x] * row[x] + intercept.values[begin + x];
+        smoothed_[begin + x] = slope_[begin + x] * row[x] + intercept_[begin + x];
     }
-  return smoothed;
+  return smoothed_;
+}
+
+std::vector<float> smoothedTones(const Volume& volume, const VoxelBox& box, const ToneScale& scale) {
+  ToneSmoother smooth(volume, scale);
+  const std::span<const float> tones = smooth(box);
+  return {tones.begin(), tones.end()};
 }
 
 }  // namespace fenestra::segmentation

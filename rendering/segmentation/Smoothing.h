@@ -3,13 +3,25 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
+#include <span>
+#include <type_traits>
 #include <vector>
 
 #include "rendering/segmentation/VoxelBox.h"
 #include "rendering/volume/Volume.h"
 
 namespace fenestra::segmentation {
+
+/// The real value of a stored one. NaN counts as the volume's least value, ±Inf as the ends of its range.
+template <class T>
+double finiteValue(T stored, const Volume& volume) {
+  const double real = volume.slope * static_cast<double>(stored) + volume.intercept;
+  if constexpr (std::is_floating_point_v<T>)
+    return std::isnan(real) ? volume.range.low : std::clamp(real, volume.range.low, volume.range.high);
+  return real;
+}
 
 /// In real values.
 struct Noise {
@@ -57,10 +69,25 @@ class ToneScale {
   ValueRange seen_{std::numeric_limits<double>::lowest(), std::numeric_limits<double>::max()};
 };
 
-/// Tones of `box`, smoothed by the guided filter with the volume as its own guide, on 3×3×3 voxels: He, Sun, Tang,
-/// "Guided Image Filtering", ECCV 2010, eqs. 5, 6 and 8. Where the variance is the noise's the result is nearly the
-/// mean; at edges it is the value. Neighbours outside the box are read too, so that the result does not depend on the
-/// box. Beyond the volume its edge is repeated. NaN counts as the volume's least value, ±Inf as the ends of its range.
+/// Tones, smoothed by the guided filter with the volume as its own guide, on 3×3×3 voxels: He, Sun, Tang, "Guided Image
+/// Filtering", ECCV 2010, eqs. 5, 6 and 8. Where the variance is the noise's the result is nearly the mean; at edges it
+/// is the value. Neighbours outside a box are read too, so that the result does not depend on the box. Beyond the
+/// volume its edge is repeated; other values are those of finiteValue().
+class ToneSmoother {
+ public:
+  /// Both outlive this.
+  ToneSmoother(const Volume& volume, const ToneScale& scale) : volume_(volume), scale_(scale) {}
+
+  /// The tones of `box`, x fastest, until the next call: boxes of one size share their memory.
+  std::span<const float> operator()(const VoxelBox& box);
+
+ private:
+  const Volume& volume_;
+  const ToneScale& scale_;
+  std::vector<float> values_, sums_, slope_, intercept_, smoothed_;
+};
+
+/// Tones of one box, see ToneSmoother.
 std::vector<float> smoothedTones(const Volume& volume, const VoxelBox& box, const ToneScale& scale);
 
 }  // namespace fenestra::segmentation

@@ -23,17 +23,24 @@ glm::ivec3 cellSizeOf(const Grid& grid) {
   return size;
 }
 
-/// The mean of the finite real values of a box of voxels; what is not a number counts as the volume's least value.
-double meanOf(auto scalars, const Volume& volume, const VoxelBox& box) {
-  double sum = 0.0;
-  for (int z = box.low.z; z < box.high.z; ++z)
-    for (int y = box.low.y; y < box.high.y; ++y)
-      for (int x = box.low.x; x < box.high.x; ++x) {
-        const double real =
-            volume.slope * static_cast<double>(scalars[volume.grid.offset({x, y, z})]) + volume.intercept;
-        sum += std::isnan(real) ? volume.range.low : std::clamp(real, volume.range.low, volume.range.high);
-      }
-  return sum / static_cast<double>(box.count());
+/// The means of a row of cells; `cells` are those of the row.
+template <class T>
+void meansOf(std::span<const T> scalars, const Volume& volume, glm::ivec3 size, const VoxelBox& voxels,
+             std::span<float> cells) {
+  std::vector<double> sums(cells.size(), 0.0);
+  for (int z = voxels.low.z; z < voxels.high.z; ++z)
+    for (int y = voxels.low.y; y < voxels.high.y; ++y) {
+      const T* row = scalars.data() + volume.grid.offset({0, y, z});
+      for (int cell = 0, x = 0; x < voxels.high.x; ++cell)
+        for (const int end = std::min(x + size.x, voxels.high.x); x < end; ++x)
+          sums[static_cast<std::size_t>(cell)] += finiteValue(row[x], volume);
+    }
+  const int across = voxels.dims().y * voxels.dims().z;
+  for (int cell = 0; cell < static_cast<int>(cells.size()); ++cell) {
+    const int along = std::min(size.x, voxels.high.x - cell * size.x);
+    cells[static_cast<std::size_t>(cell)] =
+        static_cast<float>(sums[static_cast<std::size_t>(cell)] / static_cast<double>(along * across));
+  }
 }
 
 /// The means of the cells as a volume.
@@ -51,10 +58,10 @@ Volume reduced(const Volume& volume, glm::ivec3 size) {
   volume.voxels.visit([&](auto scalars) {
     const std::size_t row = static_cast<std::size_t>(cells.grid.dims.x);
     parallelFor(means.size() / row, 1, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t i = begin * row; i < end * row; ++i) {
-        const glm::ivec3 low = whole.at(i) * size;
-        const VoxelBox own = VoxelBox{low, low + size}.clippedTo(wholeOf(volume.grid.dims));
-        means[i] = static_cast<float>(meanOf(scalars, volume, own));
+      for (std::size_t i = begin; i < end; ++i) {
+        const glm::ivec3 low = whole.at(i * row) * size;
+        const VoxelBox voxels = VoxelBox{low, {volume.grid.dims.x, low.y + size.y, low.z + size.z}};
+        meansOf(scalars, volume, size, voxels.clippedTo(wholeOf(volume.grid.dims)), means.subspan(i * row, row));
       }
     });
   });

@@ -4,29 +4,33 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
-#include <unordered_map>
 #include <vector>
 
 #include "rendering/segmentation/TissueCells.h"
 
 namespace fenestra::segmentation {
 
-/// The faces that two tissues have in common.
-struct TissueContact {
-  float area = 0.0f;        ///< mm²
-  float difference = 0.0f;  ///< of the values on both sides, units of the noise times mm²
-};
-
 struct Tissue {
   double volume = 0.0;   ///< mm³
   double tones = 0.0;    ///< units of the noise times mm³
   double surface = 0.0;  ///< mm², without faces of the volume
-  std::unordered_map<std::uint32_t, TissueContact> contacts;
   double mean() const { return tones / volume; }
 };
 
+/// The faces that two tissues have in common.
+struct TissueContact {
+  std::uint32_t a = 0, b = 0;
+  float area = 0.0f;        ///< mm²
+  float difference = 0.0f;  ///< of the values on both sides, units of the noise times mm²
+};
+
+struct Tissues {
+  std::vector<Tissue> all;
+  std::vector<TissueContact> contacts;  ///< each pair of tissues once
+};
+
 /// One tissue a basin.
-std::vector<Tissue> tissuesOf(const TissueCells& cells, const Basins& basins);
+Tissues tissuesOf(const TissueCells& cells, const Basins& basins);
 
 /// How far two tissues differ at their border and as a whole, units of the noise.
 float edgeBetween(const Tissue& a, const Tissue& b, const TissueContact& contact);
@@ -38,6 +42,6 @@ struct MergeTree {
 };
 
 /// Merges the cheapest pair first until no two touch. Empty when `goOn` has returned false.
-std::optional<MergeTree> mergeTissues(std::vector<Tissue> tissues, const std::function<bool(double)>& goOn);
+std::optional<MergeTree> mergeTissues(Tissues tissues, const std::function<bool(double)>& goOn);
 
 }  // namespace fenestra::segmentation

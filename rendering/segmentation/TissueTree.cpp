@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <queue>
 #include <utility>
 
@@ -60,19 +61,16 @@ std::shared_ptr<const TissueTree> TissueTree::build(const Volume& volume, const 
   tree->reference_ = cells.reference;
   tree->bodyVolume_ = cells.bodyVolume;
   Basins basins = basinsOf(cells.tones, CellNeighbours(cells.grid));
-  std::vector<Tissue> tissues = tissuesOf(cells, basins);
-  tree->isAtFace_.assign(tissues.size(), 0);
+  Tissues tissues = tissuesOf(cells, basins);
+  tree->isAtFace_.assign(tissues.all.size(), 0);
   const VoxelBox whole = wholeOf(tree->cells_), inner = whole.grownBy(glm::ivec3(-1));
   for (std::size_t i = 0; i < basins.numbers.size(); ++i)
     if (!inner.contains(whole.at(i))) tree->isAtFace_[basins.numbers[i]] = 1;
-  for (const Tissue& tissue : tissues) {
+  for (const Tissue& tissue : tissues.all) {
     tree->means_.push_back(static_cast<float>(tissue.mean()));
     tree->volumes_.push_back(static_cast<float>(tissue.volume));
-    tree->firstNeighbour_.push_back(static_cast<std::uint32_t>(tree->neighbours_.size()));
-    for (const auto& [other, contact] : tissue.contacts)
-      tree->neighbours_.push_back({other, edgeBetween(tissue, tissues[other], contact)});
   }
-  tree->firstNeighbour_.push_back(static_cast<std::uint32_t>(tree->neighbours_.size()));
+  tree->setNeighbours(tissues);
   tree->leaves_ = std::move(basins.numbers);
   if (goOn && !goOn(0.4)) return nullptr;
   std::optional<MergeTree> merges =
@@ -81,6 +79,20 @@ std::shared_ptr<const TissueTree> TissueTree::build(const Volume& volume, const 
   tree->parents_ = std::move(merges->parents);
   tree->heights_ = std::move(merges->heights);
   return tree;
+}
+
+void TissueTree::setNeighbours(const Tissues& tissues) {
+  firstNeighbour_.assign(tissues.all.size() + 1, 0);
+  for (const TissueContact& contact : tissues.contacts)
+    for (const std::uint32_t each : {contact.a, contact.b}) ++firstNeighbour_[each + 1];
+  std::partial_sum(firstNeighbour_.begin(), firstNeighbour_.end(), firstNeighbour_.begin());
+  neighbours_.resize(2 * tissues.contacts.size());
+  std::vector<std::uint32_t> next(firstNeighbour_.begin(), firstNeighbour_.end() - 1);
+  for (const TissueContact& contact : tissues.contacts) {
+    const float edge = edgeBetween(tissues.all[contact.a], tissues.all[contact.b], contact);
+    neighbours_[next[contact.a]++] = {contact.b, edge};
+    neighbours_[next[contact.b]++] = {contact.a, edge};
+  }
 }
 
 std::size_t TissueTree::heldBytes() const {

@@ -25,6 +25,8 @@
 
 namespace fenestra::segmentation {
 
+struct Tissues;
+
 class TissueTree {
  public:
   /// Takes about 60 bytes a cell while it runs, and some twelve afterwards. `goOn` is asked now and then with the share
@@ -58,6 +60,7 @@ class TissueTree {
     float edge;  ///< units of the noise
   };
 
+  void setNeighbours(const Tissues& tissues);
   std::uint32_t leafAt(glm::ivec3 voxel) const;
   std::span<const Neighbour> neighboursOf(std::uint32_t leaf) const;
   std::vector<Level> leafJoins(std::span<const glm::ivec3> inside) const;

@@ -87,17 +87,18 @@ bool ValueGrower::computeCosts(const std::function<bool(double)>& goOn) {
   for (int z = 0; z < tiles.z; ++z) {
     if (!goOn(0.35 * z / tiles.z)) return false;
     parallelFor(static_cast<std::size_t>(tiles.x * tiles.y), 1, [&](std::size_t begin, std::size_t end) {
+      EdgeSharpener sharpener(volume_, *scale_);
       for (int i = static_cast<int>(begin); i < static_cast<int>(end); ++i) {
         const glm::ivec3 low = box_.low + glm::ivec3(i % tiles.x, i / tiles.x, z) * tile;
-        costsOf(VoxelBox{low, low + tile}.clippedTo(box_), tissues);
+        costsOf(VoxelBox{low, low + tile}.clippedTo(box_), tissues, sharpener);
       }
     });
   }
   return true;
 }
 
-void ValueGrower::costsOf(const VoxelBox& tile, const std::vector<TissueCost>& tissues) {
-  EdgeSharpener sharpener(volume_, tile, *scale_);
+void ValueGrower::costsOf(const VoxelBox& tile, const std::vector<TissueCost>& tissues, EdgeSharpener& sharpener) {
+  sharpener.read(tile);
   for (std::size_t k = 0; k < tissues.size(); ++k)
     sharpener.forRows(tissues[k], [&](int y, int z, std::span<const Level> levels) {
       std::copy(levels.begin(), levels.end(), kinds_[k].costs.data() + box_.offset({tile.low.x, y, z}));

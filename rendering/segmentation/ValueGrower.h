@@ -4,7 +4,7 @@
 #include <array>
 #include <functional>
 #include <optional>
-#include <span>
+#include <utility>
 #include <vector>
 
 #include "rendering/segmentation/Costs.h"
@@ -33,7 +33,7 @@ class ValueGrower {
                                           const std::function<bool(double)>& progress);
 
   /// By voxel of the box, after joins(): how far its value lies from the seeds inside.
-  std::span<const Level> costs() const { return kinds_[0].costs; }
+  std::vector<Level> takeCosts() { return std::move(kinds_[0].costs); }
   const Noise& noise() const { return noise_; }
 
  private:
@@ -46,7 +46,7 @@ class ValueGrower {
   };
 
   bool computeCosts(const std::function<bool(double)>& goOn);
-  void costsOf(const VoxelBox& tile, const std::vector<TissueCost>& tissues);
+  void costsOf(const VoxelBox& tile, const std::vector<TissueCost>& tissues, EdgeSharpener& sharpener);
   void preparePaths(Kind& kind);
   std::optional<Flooded> floodBox(const std::function<bool(double)>& goOn);
   std::vector<Level> putBallsBack(const Flooded& flooded);

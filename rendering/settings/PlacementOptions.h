@@ -30,9 +30,10 @@ struct Habits {
   bool avoidCutEnds = true;   ///< not through an end of the scan where the body goes on
   bool uprightFirst = true;   ///< from around the patient rather than from above or below, at equal worth
   bool flatFromFront = true;  ///< a thin stack of slices from its front
+  bool nearSideFirst = true;  ///< from the side of the body that the focus is nearer to, at equal worth
   bool operator==(const Habits&) const = default;
 };
-inline constexpr Habits noHabits{false, false, false};
+inline constexpr Habits noHabits{false, false, false, false};
 
 struct Options {
   Weights weights;

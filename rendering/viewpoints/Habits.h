@@ -7,9 +7,11 @@
 //     cost(d) = 0.3 · throughCutEnd(d)      avoidCutEnds
 //             + 0.1 · (d·S)²                uprightFirst
 //             + 10 · edgeOn(d)                flatFromFront
+//             + 0.1 · farSide(d)              nearSideFirst
 //
-// so that they grow smoothly from a good direction to a bad one. The second is small: it decides between sides that
-// show about as much, and a user's weights outweigh it. The third outweighs all else where a volume is flat.
+// so that they grow smoothly from a good direction to a bad one. The second and the last are small: they decide between
+// sides that show about as much, and a user's weights outweigh them. The third outweighs all else where a volume is
+// flat.
 //
 // avoidCutEnds, moreover, refuses views: those within 45° of the axis of a cut end (throughCutEnd above ½), as long as
 // another view, for C2 one of its region, shows at least two thirds as much of the focus's surface.
@@ -27,6 +29,7 @@ struct Awkwardness {
   double throughCutEnd = 0.0;
   double lying = 0.0;  ///< (d·S)²: 1 from above and below, 0 from around the patient
   double edgeOn = 0.0;
+  double farSide = 0.0;  ///< how much of the body lies in front of the focus, rather than behind it
 };
 /// `direction`: unit, towards the camera.
 Awkwardness awkwardness(const ScanShape& shape, glm::dvec3 direction);

@@ -279,7 +279,8 @@ RatedViews rateViews(const Scene& scene, const Structure& structure, glm::dvec3 
   }
   if (views.shape.voxels.empty()) return views;
   Habits habits = usual.habits;
-  habits.uprightFirst = false;  // the sphere of the patient's orientation says that
+  habits.uprightFirst = false;   // the sphere of the patient's orientation says that
+  habits.nearSideFirst = false;  // and its visibility says this
   views.c1 = bestOf(views, awkward, habits, [](glm::dvec3) { return true; });
   views.c2 = bestOf(views, awkward, habits,
                     [&](glm::dvec3 direction) { return inRegion(views.directions[*views.c1], direction, usual); });

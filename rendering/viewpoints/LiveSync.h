@@ -97,7 +97,7 @@ struct RatedViews {
 /// rounding are equal; among equal ones the lowest index is taken. `last` is the direction of the last camera.
 /// The region and the habits are those of `usual`: what they cost is taken off the ratings, and views through cut ends
 /// are refused, by their visibility, as Habits.h says. The preference for upright views is left to the patient's
-/// orientation.
+/// orientation, that for the near side to the visibility.
 RatedViews rateViews(const Scene& scene, const Structure& structure, glm::dvec3 pick, int nside,
                      const LiveSyncOptions& options, const Options& usual,
                      std::optional<glm::dvec3> last = std::nullopt);

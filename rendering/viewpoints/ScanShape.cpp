@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <vector>
 
 namespace fenestra::placement {
@@ -9,6 +10,7 @@ namespace {
 
 constexpr int mostSamples = 32;        ///< along an axis
 constexpr double solidValue = -500.0;  ///< HU
+constexpr double thinShare = 0.02;     ///< of the body's greatest layer: one of less is a nose, a wire or noise
 constexpr double flatShare = 0.125, solidShare = 1.0 / 3.0;
 constexpr double fewSlices = 3.0, manySlices = 6.0;
 /// A stack of few slices has at least this many times as many rows and columns: a small cube is none.
@@ -51,6 +53,8 @@ class Body {
       });
     });
   }
+  /// Indices of the layers of samples across an index axis.
+  const std::vector<int>& places(int axis) const { return places_[static_cast<std::size_t>(axis)]; }
   /// How many samples of each layer across an index axis are of the body; the first and last layer are faces.
   std::array<std::vector<int>, 3> layers() const {
     std::array<std::vector<int>, 3> areas;
@@ -82,9 +86,10 @@ class Body {
   double threshold_ = 0.0;
 };
 
-void findCuts(ScanShape& shape, const Grid& grid, const CropFrame& frame, const Body& body,
+using Layers = std::array<std::vector<int>, 3>;
+
+void findCuts(ScanShape& shape, const Grid& grid, const CropFrame& frame, const Body& body, const Layers& layers,
               std::span<const glm::dvec3> focus) {
-  const auto layers = body.layers();
   double least = 1.0;
   for (std::size_t f = 0; f < shape.faces.size(); ++f) {
     ScanShape::Face& face = shape.faces[f];
@@ -108,6 +113,26 @@ void findCuts(ScanShape& shape, const Grid& grid, const CropFrame& frame, const 
     least = std::min(least, face.cut);
   }
   for (ScanShape::Face& face : shape.faces) face.cut -= least;
+}
+
+void findOffset(ScanShape& shape, const Grid& grid, const Body& body, const Layers& layers,
+                std::span<const glm::dvec3> focus) {
+  if (focus.empty()) return;
+  const glm::dvec3 middle =
+      std::accumulate(focus.begin(), focus.end(), glm::dvec3(0.0)) / static_cast<double>(focus.size());
+  for (int axis = 0; axis < 3; ++axis) {
+    const std::vector<int>& areas = layers[static_cast<std::size_t>(axis)];
+    const double least = thinShare * *std::max_element(areas.begin(), areas.end());
+    const auto isBody = [least](int area) { return area > least; };
+    const auto first = std::find_if(areas.begin(), areas.end(), isBody);
+    if (first == areas.end()) continue;
+    const auto last = std::find_if(areas.rbegin(), areas.rend(), isBody).base() - 1;
+    const double low = body.places(axis)[static_cast<std::size_t>(first - areas.begin())];
+    const double high = body.places(axis)[static_cast<std::size_t>(last - areas.begin())];
+    if (high <= low) continue;
+    const double along = (2.0 * middle[axis] - low - high) / (high - low);
+    shape.offset += std::clamp(along, -1.0, 1.0) * grid.direction[axis];
+  }
 }
 
 void findFront(ScanShape& shape, const Grid& grid, const CropFrame& frame) {
@@ -143,11 +168,16 @@ double ScanShape::edgeOn(glm::dvec3 direction) const {
   return flatness * std::max(0.0, 1.0 - cosine * cosine);
 }
 
+double ScanShape::farSide(glm::dvec3 direction) const { return std::clamp(-glm::dot(direction, offset), 0.0, 1.0); }
+
 ScanShape scanShape(const ShownVolume& shown, const std::vector<HalfSpace>& kept, std::span<const glm::dvec3> focus) {
   ScanShape shape;
   const Grid& grid = shown.volume->grid;
   const CropFrame frame(grid);
-  findCuts(shape, grid, frame, Body(shown, kept), focus);
+  const Body body(shown, kept);
+  const Layers layers = body.layers();
+  findCuts(shape, grid, frame, body, layers, focus);
+  findOffset(shape, grid, body, layers, focus);
   findFront(shape, grid, frame);
   return shape;
 }

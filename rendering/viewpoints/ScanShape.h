@@ -1,6 +1,6 @@
 #pragma once
-// What the shape of a scan says about directions to look from: at which ends of the volume the body goes on, and
-// whether the volume is a flat stack. Transfer functions have no say in it.
+// What the shape of a scan says about directions to look from: at which ends of the volume the body goes on, whether
+// the volume is a flat stack, and on which side of the body the focus lies. Transfer functions have no say in it.
 //
 // The body is what is denser than air: above -500 HU in a CT, half way from air to water; elsewhere above
 // v2 + 0.1 (v98 - v2), where v2 and v98 are percentiles of all values (the robust threshold of Smith, Fast robust
@@ -47,6 +47,9 @@ struct ScanShape {
   std::array<Face, 6> faces;
   double flatness = 0.0;  ///< from 0 to 1
   glm::dvec3 front{0.0};  ///< unit, world, towards a camera in front of a flat volume; 0 where flatness is 0
+  /// World: the way from the body's middle to the focus's, along each axis of the volume as a share of half the body's
+  /// extent, from -1 to 1.
+  glm::dvec3 offset{0.0};
 
   /// How far a view from `direction` (unit, towards the camera) comes in through cut ends: the sum over the faces of
   /// cut · max(0, direction·normal)², where the cuts of a flat volume's front and back count by 1 - flatness. 1
@@ -54,6 +57,8 @@ struct ScanShape {
   double throughCutEnd(glm::dvec3 direction) const;
   /// How far such a view is from a flat volume's front: flatness · (1 - max(0, direction·front)²).
   double edgeOn(glm::dvec3 direction) const;
+  /// How far on the other side of the body the focus lies for such a view: max(0, -direction·offset), 1 at most.
+  double farSide(glm::dvec3 direction) const;
 };
 
 /// Reads some 32³ voxels; deterministic. `kept` are the scene's halfSpaces(), `focus` are points of the focus, in

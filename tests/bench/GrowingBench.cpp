@@ -70,7 +70,11 @@ std::vector<Structure> structures() {
           {"sacrum", torso, organs, {25}, true},
           {"left rib 10", torso, organs, {101}, true},
           {"right rib 10", torso, organs, {113}, true},
-          {"right rib 11", torso, organs, {114}},
+          {"right rib 11", torso, organs, {114}, true},
+          {"vertebra L5", torso, organs, {27}, true},
+          {"right hip", torso, organs, {78}, true},
+          {"left rib 4", torso, organs, {95}},
+          {"right rib 8", torso, organs, {111}},
           {"left lung, its base", torso, organs, {10, 11}, true},
           {"both lungs (elastix)", lung, mask, {1}, true},
           {"right lung (chest)", chest, segments, {5}, true},
@@ -122,7 +126,7 @@ std::vector<Structure> structures() {
 struct Data {
   std::shared_ptr<const Volume> volume;
   std::shared_ptr<const LabelMap> labels;
-  std::shared_ptr<const TissueTree> tissues;
+  GrowthMemory memory;
 };
 
 /// Opened once; empty where the data are not there.
@@ -141,7 +145,7 @@ std::optional<Data> dataOf(const Structure& structure) {
     data.volume = io::openVolume(image).volume;
     data.labels = io::openLabels(tests::findTestData(structure.labels), data.volume->grid).labels;
   }
-  data.tissues = TissueTree::build(*data.volume);
+  data.memory = GrowthMemory(TissueTree::build(*data.volume));
   return opened[structure.image] = data;
 }
 
@@ -332,7 +336,7 @@ bool correct(RegionFocus& settings, const Mask& region, const Mask& truth) {
 Outcome outcomeOf(const Data& data, const Mask& truth, std::size_t seed) {
   const Volume& volume = *data.volume;
   const VoxelBox whole = wholeOf(volume.grid.dims);
-  const double body = data.tissues->bodyVolume();
+  const double body = data.memory.tissues()->bodyVolume();
   RegionFocus settings{{worldOf(volume.grid, seed)}, {}, {}};
   Outcome outcome;
   outcome.plain = plainDice(volume, seed, truth);
@@ -343,7 +347,7 @@ Outcome outcomeOf(const Data& data, const Mask& truth, std::size_t seed) {
     outcome.leaksByValues = isLeak(byValues.curve.volume[automatic(byValues)], truth, body);
   }
   settings.rule = RegionRule::Tissues;
-  const auto grow = [&] { return *growRegion(volume, settings, whole, {}, data.tissues); };
+  const auto grow = [&] { return *growRegion(volume, settings, whole, {}, data.memory); };
   Growth growth = grow();
   const Scores scores = scoresOf(growth, truth);
   outcome.click = outcome.corrected = outcome.correctedTwice = scores.dice[automatic(growth)];

@@ -2,10 +2,9 @@
 // mouse at 60 events a second, lets go, drags the transfer function, opens the list of presets, and places the cameras.
 // Writes one JSON object: new pictures a second of each view, longest gap between two, times until the pictures at
 // rest, and the longest time that one event kept the window's thread busy, with what of it the thread itself worked:
-// the rest it waited, for another program on a busy machine. With --grow L,P,S it clicks there, moves the tolerance of
-// the region that grows, and turns it, also as a label. Needs a display with OpenGL. Takes the options of a scene,
-// --window WIDTHxHEIGHT and
-// --seconds.
+// the rest it waited, for another program on a busy machine. With --grow L,P,S it clicks there, with --correct also
+// outside the region that grows, and that --rounds times in the study opened anew; then it moves the region's
+// tolerance and turns it, also as a label. Needs a display with OpenGL. Takes the options of a scene and --seconds.
 
 #include <algorithm>
 #include <array>
@@ -72,8 +71,9 @@ void wait(double milliseconds) {
   loop.exec();
 }
 
-void sendMouse(QWidget* widget, QEvent::Type type, QPointF at, Qt::MouseButton button, Qt::MouseButtons buttons) {
-  QMouseEvent event(type, at, widget->mapToGlobal(at), button, buttons, Qt::NoModifier);
+void sendMouse(QWidget* widget, QEvent::Type type, QPointF at, Qt::MouseButton button, Qt::MouseButtons buttons,
+               Qt::KeyboardModifiers modifiers = Qt::NoModifier) {
+  QMouseEvent event(type, at, widget->mapToGlobal(at), button, buttons, modifiers);
   QApplication::sendEvent(widget, &event);
 }
 
@@ -100,14 +100,14 @@ Json summaryOf(std::vector<double> times) {
   return {{"median_ms", times[times.size() / 2]}, {"longest_ms", times.back()}};
 }
 
-/// Handles events until `condition` holds, for a minute at most.
+/// Handles events until `condition` holds, for a minute at most; `what` names it in the error.
 template <class Condition>
-void waitUntil(Condition condition) {
+void waitUntil(const char* what, Condition condition) {
   QTimer wakes;  // conditions change without an event, too
   wakes.start(1);
   for (const double start = now(); !condition();) {
     QCoreApplication::processEvents(QEventLoop::AllEvents | QEventLoop::WaitForMoreEvents);
-    if (now() > start + 60000.0) throw std::runtime_error("the window did not get there within a minute");
+    if (now() > start + 60000.0) throw std::runtime_error(std::string("no ") + what + " within a minute");
   }
 }
 
@@ -127,44 +127,70 @@ class Bench {
     return result;
   }
 
-  /// A region from a click at `seed`, world mm, and changes of its tolerance.
-  Json grow(glm::dvec3 seed) {
+  /// A region from a click at `seed`, world mm, and a correction by a click outside it, if there is one.
+  Json grow(glm::dvec3 seed, std::optional<glm::dvec3> outside) {
     untilDrawn();
-    window_.workspace().cursor.moveTo(seed);
-    waitUntilDrawn();
-    takeBlocks();
+    Json result{{"click", click(seed, Qt::NoModifier)}};
     const Document& document = window_.workspace().document;
-    SliceView* axial = window_.views().sliceViews().front();
-    const QPointF at = axial->widgetFromWorld(seed);
-    const double clicked = now();
-    sendMouse(axial, QEvent::MouseButtonPress, at, Qt::LeftButton, Qt::LeftButton);
-    sendMouse(axial, QEvent::MouseButtonRelease, at, Qt::LeftButton, Qt::NoButton);
-    waitUntil([&] { return document.growth() != nullptr; });
-    axial->repaint();
-    Json result{{"first_region_ms", now() - clicked}};
-    waitUntil([&] { return document.isWhole(); });
-    window_.workspace().document.openToRegion();
-    axial->repaint();
-    result["whole_ms"] = now() - clicked;
-    result["blocks_while_growing"] = takeBlocks();
-    waitUntilDrawn();
-    result["placed_and_at_rest_ms"] = now() - clicked;
-    result["blocks_while_placing"] = takeBlocks();
     result["step"] = document.regionStep();
     result["ml"] = document.growth()->curve.volume[static_cast<std::size_t>(document.regionStep())] / 1000.0;
-    result["tolerance"] = changeTolerance();
-    result["drag"] = dragTolerance();
-    result["turn_region"] = turn(0);
+    if (outside) result["correction"] = click(*outside, Qt::ControlModifier);
+    result["turn"] = turn(0);
+    return result;
+  }
+
+  /// What follows a region: its tolerance changes, and it turns, also as a label.
+  Json useRegion() {
+    Json result{{"tolerance", changeTolerance()}, {"drag", dragTolerance()}, {"turn_region", turn(0)}};
     // The region as a label: it has to turn as fast.
     RegionPanel* panel = window_.findChild<RegionPanel*>();
     panel->keep()->click();
-    waitUntil([&] { return std::holds_alternative<LabelFocus>(document.focus()); });
+    waitUntil("a label in focus",
+              [&] { return std::holds_alternative<LabelFocus>(window_.workspace().document.focus()); });
     waitUntilDrawn();
     result["turn_label"] = turn(0);
     return result;
   }
 
  private:
+  /// A click on the axial slice through a position: until the slice shows the outline of a first region, until the
+  /// region is whole, until the 3-D views show it from where they go to.
+  Json click(glm::dvec3 world, Qt::KeyboardModifiers modifiers) {
+    Document& document = window_.workspace().document;
+    window_.workspace().cursor.moveTo(world);
+    waitUntilDrawn();
+    takeBlocks();
+    SliceView* axial = window_.views().sliceViews().front();
+    const QPointF at = axial->widgetFromWorld(world);
+    times_.clear();
+    Json changes = Json::array();
+    QObject context;
+    const double clicked = now();
+    QObject::connect(&document, &Document::sceneChanged, &context, [&] { changes.push_back(now() - clicked); });
+    sendMouse(axial, QEvent::MouseButtonPress, at, Qt::LeftButton, Qt::LeftButton, modifiers);
+    sendMouse(axial, QEvent::MouseButtonRelease, at, Qt::LeftButton, Qt::NoButton, modifiers);
+    if (!document.region()) throw std::runtime_error("no region grows from the click");
+    const auto isGivenUp = [&] { return !document.region(); };
+    waitUntil("a first region", [&] { return document.growth() || isGivenUp(); });
+    axial->repaint();
+    Json result{{"first_ms", now() - clicked}};
+    waitUntil("the whole region", [&] { return document.isWhole() || isGivenUp(); });
+    if (isGivenUp()) throw std::runtime_error("the click shows no region");
+    axial->repaint();
+    result["whole_ms"] = now() - clicked;
+    result["asks"] = document.asksToOpen();
+    document.openToRegion();
+    result["blocks_while_growing"] = takeBlocks();
+    waitUntilDrawn();
+    result["placed_and_at_rest_ms"] = now() - clicked;
+    result["scene_changes_ms"] = changes;
+    for (std::size_t view = 0; view < 2; ++view)
+      for (const double time : times_.of(view))
+        result["C" + std::to_string(view + 1) + "_pictures_ms"].push_back(time - clicked);
+    result["blocks_while_placing"] = takeBlocks();
+    return result;
+  }
+
   QSlider* toleranceSlider() { return window_.findChild<RegionPanel*>()->slider(); }
 
   /// Single steps of the slider from rest: until the event is handled, until the 3-D pictures' focus is the new region,
@@ -188,7 +214,7 @@ class Bench {
       const double start = now();
       slider->setValue(step);
       handled.push_back(now() - start);
-      waitUntil([&] { return made.has_value(); });
+      waitUntil("focus of another tolerance", [&] { return made.has_value(); });
       focus.push_back(*made - start);
       waitUntilDrawn();
       const std::vector<double>& drawn = times_.of(0);
@@ -225,7 +251,7 @@ class Bench {
   void waitUntilDrawn() {
     bool drawn = false;
     window_.whenDrawn([&] { drawn = true; });
-    waitUntil([&] { return drawn; });
+    waitUntil("pictures at rest", [&] { return drawn; });
   }
 
   /// After a change at `start`: when each view's first picture came, when all were at rest.
@@ -351,6 +377,8 @@ class Bench {
   PictureTimes times_;
 };
 
+glm::dvec3 positionOf(const std::vector<double>& numbers) { return {numbers[0], numbers[1], numbers[2]}; }
+
 int main(int argc, char** argv) {
   CLI::App program{"Measures how the window answers."};
   io::StudyRequest options;
@@ -360,7 +388,15 @@ int main(int argc, char** argv) {
   program.add_option("--seconds", seconds, "length of each drag");
   program.add_flag("--only-start", onlyStart, "end once the first pictures are at rest");
   std::vector<double> seed;
-  program.add_option("--grow", seed, "L,P,S in mm: only grow a region from there")->delimiter(',')->expected(3);
+  CLI::Option* grow =
+      program.add_option("--grow", seed, "L,P,S in mm: only grow a region from there")->delimiter(',')->expected(3);
+  std::vector<double> outside;
+  program.add_option("--correct", outside, "L,P,S in mm: a correction of that region, a click outside it")
+      ->delimiter(',')
+      ->expected(3)
+      ->needs(grow);
+  int rounds = 1;
+  program.add_option("--rounds", rounds, "how often the study opens and the region grows")->needs(grow);
   CLI11_PARSE(program, argc, argv);
 
   requestOpenGl();
@@ -388,14 +424,24 @@ int main(int argc, char** argv) {
     failed = true;
   });
   window.show();
-  window.open([options](const io::Progress& progress) { return io::readStudy(options, progress); });
-  while (!opened && !failed) wait(1);
-  if (failed) return 1;
-  if (onlyStart) {
-    std::cout << bench.start().dump(2) << '\n';
-    return 0;
+  const auto open = [&] {
+    opened = failed = false;
+    window.open([options](const io::Progress& progress) { return io::readStudy(options, progress); });
+    while (!opened && !failed) wait(1);
+    return opened;
+  };
+  Json result;
+  for (int round = 0; round < (grow->empty() ? 1 : rounds); ++round) {
+    if (!open()) return 1;
+    if (onlyStart)
+      result = bench.start();
+    else if (grow->empty())
+      result = bench.run();
+    else
+      result["rounds"].push_back(
+          bench.grow(positionOf(seed), outside.empty() ? std::nullopt : std::optional(positionOf(outside))));
   }
-  const Json result = seed.empty() ? bench.run() : bench.grow({seed[0], seed[1], seed[2]});
+  if (!grow->empty()) result["region"] = bench.useRegion();
   std::cout << result.dump(2) << '\n';
   return 0;
 }

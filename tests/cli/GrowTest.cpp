@@ -82,6 +82,7 @@ TEST_F(Grow, WritesTheStructureAsALabelMap) {
   EXPECT_EQ(result["voxels"], voxels);
   EXPECT_NEAR(result["volume_ml"].get<double>(), voxels * grid.voxelVolume() / 1000.0, 1e-6);
   EXPECT_EQ(result["automatic"], true);
+  EXPECT_EQ(result["by"], "tissues");
   ASSERT_FALSE(result["plateaus"].empty());
   EXPECT_EQ(result["plateaus"][0]["tolerance"], result["tolerance"]);
   EXPECT_FALSE(result.contains("curve"));
@@ -108,6 +109,9 @@ TEST_F(Grow, AnOutsideSeedHoldsTheRegionBack) {
   const std::string seed = "--seed " + kidney + " --tolerance 300";
   ASSERT_EQ(run("grow", seed + toFile()), 0);
   const double all = json()["volume_ml"];
+  EXPECT_EQ(json()["by"], "tissues");
+  ASSERT_EQ(run("grow", "--by values " + seed + toFile()), 0) << contents("error");
+  EXPECT_EQ(json()["by"], "values");
   ASSERT_EQ(run("grow", seed + " --outside 64,0,-24 --outside=-80,2,-34" + toFile()), 0) << contents("error");
   EXPECT_LT(json()["volume_ml"].get<double>(), 0.5 * all);
   EXPECT_EQ(json()["outside"].size(), 2u);

@@ -92,6 +92,7 @@ class Regions : public testing::Test {
 
 TEST_F(Regions, AClickGrowsTheStructureAndShowsAFirstPartOfIt) {
   QSignalSpy changes(&document_, &Document::focusChanged);
+  QSignalSpy scenes(&document_, &Document::sceneChanged);
   bool showedPart = false;
   QObject::connect(&document_, &Document::focusChanged, &grower_, [&] {
     showedPart = showedPart || (document_.growth() && !document_.isWhole() && shownVolume() > 0.0);
@@ -101,6 +102,7 @@ TEST_F(Regions, AClickGrowsTheStructureAndShowsAFirstPartOfIt) {
   EXPECT_EQ(document_.undoStack().count(), 1);
   waitUntilGrown();
   EXPECT_TRUE(showedPart);
+  EXPECT_EQ(scenes.count(), 2) << "the part and the whole: pictures are drawn for no other reason";
   EXPECT_NEAR(shownVolume(), ball, 0.05 * ball);  // the surface's voxels are about a tenth of the ball; half may err
   EXPECT_FALSE(document_.labels());
   document_.undoStack().undo();
@@ -108,6 +110,45 @@ TEST_F(Regions, AClickGrowsTheStructureAndShowsAFirstPartOfIt) {
   EXPECT_EQ(shownVolume(), 0.0);
   document_.undoStack().redo();
   EXPECT_TRUE(document_.isWhole()) << "undo comes back to what was grown, at once";
+}
+
+TEST_F(Regions, AStructureLargerThanTheFirstPartShowsItsOutlineOnTheSlice) {
+  const glm::dvec3 centre(89.5);
+  document_.open(study(glm::ivec3(180), {centre}, 80.0));
+  int parts = 0;
+  QObject::connect(&document_, &Document::focusChanged, &grower_, [&] {
+    if (!document_.growth() || document_.isWhole()) return;
+    ++parts;
+    const segmentation::Growth& part = *document_.growth();
+    EXPECT_EQ(part.box.dims().x, 180);
+    EXPECT_LT(part.box.dims().z, 50);
+    EXPECT_TRUE(part.box.contains(glm::ivec3(centre)));
+    const double disc = 3.14159265358979 * 80.0 * 80.0 * part.box.dims().z;
+    EXPECT_NEAR(document_.regionVolume(), disc, 0.1 * disc);
+    EXPECT_EQ(shownVolume(), 0.0) << "a layer is no structure";
+  });
+  click(centre);
+  waitUntilGrown();
+  EXPECT_EQ(parts, 1);
+}
+
+TEST_F(Regions, AFirstPartGoesWhereTheWholeRegionAsks) {
+  const glm::dvec3 centre(78.5);
+  document_.open(study(glm::ivec3(158), {centre}, 54.0));  // a sixth of the volume
+  bool showedPart = false;
+  QObject::connect(&document_, &Document::focusChanged, &grower_, [&] {
+    showedPart = showedPart || (document_.growth() && !document_.isWhole() && shownVolume() > 0.0);
+  });
+  QSignalSpy scenes(&document_, &Document::sceneChanged);
+  click(centre);
+  waitUntilGrown();
+  EXPECT_TRUE(showedPart);
+  ASSERT_TRUE(document_.asksToOpen());
+  EXPECT_EQ(shownVolume(), 0.0);
+  EXPECT_EQ(scenes.count(), 2) << "the part comes and goes";
+  document_.openToRegion();
+  EXPECT_GT(shownVolume(), 0.0);
+  EXPECT_EQ(scenes.count(), 3);
 }
 
 TEST_F(Regions, TheToleranceChangesTheRegionAtOnceAndIsUndone) {
@@ -239,20 +280,31 @@ TEST_F(Regions, ALargeRegionAsksBeforeThePicturesOpenToIt) {
   EXPECT_EQ(document_.focus(), before);
 }
 
-TEST_F(Regions, TheTissuesAreFoundOnce) {
+TEST_F(Regions, TheTissuesAreFoundOnceAndLiveAsLongAsTheRegion) {
+  EXPECT_EQ(grower_.memory().bytes(), 0u) << "before a click";
   click(left);
   waitUntilGrown();
-  const auto tissues = document_.growth()->tissues;
+  const std::shared_ptr<const segmentation::TissueTree> tissues = grower_.memory().tissues();
+  const std::shared_ptr<const segmentation::FirstRegion> first = grower_.memory().first();
   ASSERT_TRUE(tissues);
+  ASSERT_TRUE(first);
   EXPECT_EQ(document_.region()->rule, RegionRule::Tissues);
-  document_.setFocus(std::monostate{});
+  click(right, Qt::ShiftModifier);
+  waitUntilGrown();
+  EXPECT_EQ(grower_.memory().first(), first) << "a correction";
   click(right);
   waitUntilGrown();
-  EXPECT_EQ(document_.growth()->tissues, tissues);
-  document_.open(twoBalls());
-  click(left);
+  EXPECT_EQ(grower_.memory().tissues(), tissues);
+  EXPECT_NE(grower_.memory().first(), first) << "another region";
+  document_.setFocus(std::monostate{});
+  EXPECT_EQ(grower_.memory().bytes(), 0u) << "no region lives";
+  document_.undoStack().undo();
+  EXPECT_TRUE(document_.isWhole());
+  click(left, Qt::ControlModifier);
   waitUntilGrown();
-  EXPECT_NE(document_.growth()->tissues, tissues) << "another study";
+  EXPECT_TRUE(grower_.memory().tissues()) << "found again for a correction";
+  document_.open(twoBalls());
+  EXPECT_EQ(grower_.memory().bytes(), 0u) << "another study";
 }
 
 TEST_F(Regions, ABallBoundsTheRegion) {

@@ -87,7 +87,7 @@ TEST(Habits, CostsAddUpAndCountHalfForTheCostlierView) {
   EXPECT_EQ(view.edgeOn, 0.0);
   const double all = costOf(view, {});
   EXPECT_GT(all, 0.0);
-  EXPECT_NEAR(costOf(view, {true, false, false}) + costOf(view, {false, true, false}), all, 1e-12);
+  EXPECT_NEAR(costOf(view, {true, false, false, false}) + costOf(view, {false, true, false, false}), all, 1e-12);
   EXPECT_EQ(costOf(view, noHabits), 0.0);
   EXPECT_NEAR(costOfPair(0.2, 0.1), 0.2, 1e-12);
   EXPECT_EQ(costOfPair(0.1, 0.2), costOfPair(0.2, 0.1));
@@ -99,7 +99,7 @@ TEST(Habits, NoCameraLooksThroughACutEndWhileOthersShowTwoThirds) {
     // From above and below a half more shows than from around.
     const Measured measured = measuredOf(trunk, [](glm::dvec3 d) { return 0.4 + 0.19 * std::abs(d.z); });
     Options options = byLocation();
-    options.habits = {true, false, false};
+    options.habits = {true, false, false, false};
     const Cameras with = placed(measured, options, joint);
     EXPECT_LE(std::max(std::abs(with.c1.z), std::abs(with.c2.z)), limit);
     EXPECT_TRUE(inRegion(with.c1, with.c2, options) || inRegion(with.c2, with.c1, options));
@@ -108,7 +108,7 @@ TEST(Habits, NoCameraLooksThroughACutEndWhileOthersShowTwoThirds) {
     EXPECT_GT(std::max(std::abs(without.c1.z), std::abs(without.c2.z)), limit);
     // Where they show more than that, they are taken.
     const Measured hidden = measuredOf(trunk, [](glm::dvec3 d) { return std::abs(d.z) > 0.9 ? 0.9 : 0.2; });
-    options.habits = {true, false, false};
+    options.habits = {true, false, false, false};
     const Cameras through = placed(hidden, options, joint);
     EXPECT_GT(std::max(std::abs(through.c1.z), std::abs(through.c2.z)), limit);
   }
@@ -143,7 +143,7 @@ TEST(Habits, AtEqualWorthCamerasLookFromAroundThePatient) {
   const Measured measured = measuredOf(scanOf({}), [](glm::dvec3) { return 0.5; });
   Options options;  // the default weight of standard views prefers all six alike
   for (const bool joint : {false, true}) {
-    options.habits = {false, true, false};
+    options.habits = {false, true, false, false};
     const Cameras with = placed(measured, options, joint);
     EXPECT_EQ(with.c1.z, 0.0);
     EXPECT_EQ(with.c2.z, 0.0);
@@ -208,6 +208,25 @@ TEST(Habits, SwitchedOffTheyLeaveThePlacementAsItWas) {
       EXPECT_EQ(worth(measured.candidates[5].descriptors, options),
                 quality(measured.candidates[5].descriptors, options.weights));
     }
+  }
+}
+
+TEST(Habits, AtEqualWorthCamerasLookFromTheNearSide) {
+  ScanShape scan = scanOf({});
+  scan.offset = {0.0, -0.8, 0.0};  // a mandible: in front of the head's middle
+  for (const bool joint : {false, true}) {
+    Options options = byLocation();
+    const auto fromBehind = [&](double more) {
+      return placed(measuredOf(scan, [=](glm::dvec3 d) { return 0.4 + more * std::max(0.0, d.y); }), options, joint);
+    };
+    // Slightly more from behind is not worth it, much more is.
+    options.habits = {false, false, false, true};
+    const Cameras with = fromBehind(0.03), clearly = fromBehind(0.5);
+    EXPECT_LT(std::max(with.c1.y, with.c2.y), 0.3);
+    EXPECT_GT(std::max(clearly.c1.y, clearly.c2.y), 0.7);
+    options.habits = noHabits;
+    const Cameras without = fromBehind(0.03);
+    EXPECT_GT(std::max(without.c1.y, without.c2.y), 0.7);
   }
 }
 

@@ -39,8 +39,8 @@ class PlacedStructures : public CommandLine {
   }
 };
 
-const std::vector<std::string> withoutHabits{"--avoid-cut-ends",  "off", "--upright-first", "off",
-                                             "--flat-from-front", "off"};
+const std::vector<std::string> withoutHabits{"--avoid-cut-ends",  "off", "--upright-first",   "off",
+                                             "--near-side-first", "off", "--flat-from-front", "off"};
 
 TEST_F(PlacedStructures, OfATorso) {
   FENESTRA_TEST_DATA_OR_SKIP(ct, "labelled/totalsegmentator-torso/example_ct.nii.gz");

@@ -104,6 +104,21 @@ TEST(ScanShape, ValuesThatAreNoHounsfieldUnitsHaveABodyToo) {
   EXPECT_NEAR(shape.throughCutEnd(grid.direction[2]), 1.0, 1e-12);
 }
 
+TEST(ScanShape, TheFocusLiesOnASideOfTheBody) {
+  // A body of 20×10×30 voxels in the volume's lower corner, and a focus in front, to the left and in the middle.
+  const auto isBody = [](glm::ivec3 i) { return i.x < 20 && i.y < 10 && i.z < 30; };
+  const auto offset = [&](glm::dvec3 focus) { return shapeOf(gridOf({32, 32, 32}), isBody, {focus}).offset; };
+  const ScanShape shape = shapeOf(gridOf({32, 32, 32}), isBody, {{9.5, 0.0, 14.5}});
+  EXPECT_LT(glm::length(shape.offset - glm::dvec3(0, -1, 0)), 1e-12);
+  EXPECT_NEAR(shape.farSide({0, 1, 0}), 1.0, 1e-12) << "from behind";
+  EXPECT_NEAR(shape.farSide(glm::normalize(glm::dvec3(1, 1, 0))), std::sqrt(0.5), 1e-12);
+  EXPECT_EQ(shape.farSide({0, -1, 0}), 0.0);
+  EXPECT_EQ(shape.farSide({1, 0, 0}), 0.0);
+  EXPECT_LT(glm::length(offset({19.0, 4.5, 14.5}) - glm::dvec3(1, 0, 0)), 1e-12);
+  EXPECT_LT(glm::length(offset({9.5, 4.5, 14.5})), 1e-12);
+  EXPECT_EQ(shapeOf(gridOf({32, 32, 32}), isBody).offset, glm::dvec3(0.0)) << "nothing in focus";
+}
+
 TEST(ScanShape, AThinStackIsFlatAndItsFrontIsWhereSlicesAreSeenFrom) {
   const auto isBody = [](glm::ivec3) { return true; };
   const glm::dvec3 fronts[] = {{1, 0, 0}, {0, -1, 0}, {0, 0, -1}};

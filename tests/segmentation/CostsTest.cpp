@@ -14,7 +14,9 @@ std::vector<Level> levelsAlong(const std::vector<double>& values, float seed) {
   const glm::ivec3 dims(static_cast<int>(values.size()), 3, 3);
   const auto volume = tests::volumeOf<float>(tests::gridOf(dims),
                                              [&](glm::ivec3 at) { return values[static_cast<std::size_t>(at.x)]; });
-  EdgeSharpener sharpener(*volume, wholeOf(dims), ToneScale(*volume, unitNoise, 0.0));
+  const ToneScale scale(*volume, unitNoise, 0.0);
+  EdgeSharpener sharpener(*volume, scale);
+  sharpener.read(wholeOf(dims));
   std::vector<Level> levels;
   sharpener.forRows(TissueCost(std::array{seed}), [&](int, int, std::span<const Level> row) {
     if (levels.empty()) levels.assign(row.begin(), row.end());
@@ -62,7 +64,8 @@ TEST(EdgeSharpener, HalvesValuesNotTones) {
   });
   ASSERT_TRUE(volume->isInHounsfieldUnits());
   const ToneScale scale(*volume, {1.0, 10.0}, -900.0);
-  EdgeSharpener sharpener(*volume, {{2, 1, 1}, {5, 2, 2}}, scale);
+  EdgeSharpener sharpener(*volume, scale);
+  sharpener.read({{2, 1, 1}, {5, 2, 2}});
   sharpener.forRows(TissueCost(std::array{0.0f}), [&](int, int, std::span<const Level> row) {
     EXPECT_LT(costOf(row[0]), 1.0);
     EXPECT_EQ(row[1], row[0]) << "-500 is nearer to -900 than to 0";

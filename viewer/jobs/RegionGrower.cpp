@@ -12,12 +12,24 @@ namespace {
 using segmentation::Growth;
 
 constexpr double firstShare = 0.05;  ///< of the progress, for a first part
-constexpr double tissueShare = 0.5;  ///< of the progress, until the volume's tissues are found
 
-/// A first part that fills more than this of its box shows no structure.
-constexpr double mostOfPart = 0.9;
+/// A first part that fills more than this of its box is cut by it: a ball that touches all faces fills half. Of a layer
+/// of slices, a part that fills more shows no outline.
+constexpr double mostOfBox = 0.5, mostOfLayer = 0.9;
 /// A region that fills more than this of the volume is no structure. It would hide all else.
 constexpr double mostOfVolume = 0.5;
+
+/// The layer of slices around the first seed: a structure that fills a box around the click has an outline there. As
+/// many voxels as previewBox() holds, and five slices at least, for paths as wide as a ball.
+segmentation::VoxelBox layerAround(const Volume& volume, const RegionFocus& region) {
+  constexpr int most = 1'400'000, leastHalf = 2;
+  const glm::ivec3 dims = volume.grid.dims;
+  const auto voxel = segmentation::voxelAt(volume.grid, region.inside.front());
+  if (!voxel) return {};
+  const int half = std::max(leastHalf, most / (dims.x * dims.y) / 2);
+  return segmentation::VoxelBox{{0, 0, voxel->z - half}, {dims.x, dims.y, voxel->z + half + 1}}.clippedTo(
+      segmentation::wholeOf(dims));
+}
 
 /// The share of the volume's box that a region fills.
 double shareOf(const Growth& growth, const RegionFocus& region) {
@@ -36,7 +48,7 @@ segmentation::Progress part(const io::Progress& inside, double begin, double end
 RegionGrower::RegionGrower(Document& document, QObject* parent) : QObject(parent), document_(document) {
   connect(&document, &Document::focusChanged, this, &RegionGrower::follow);
   connect(&document, &Document::volumeChanged, this, [this] {
-    tissues_.reset();
+    memory_ = {};
     follow();
   });
   connect(&job_, &LoadJob::failed, this, [this](const QString& message) {
@@ -57,7 +69,7 @@ void RegionGrower::follow() {
     starts_ = false;
     job_.cancel();
     if (!document_.asksToOpen()) before_ = document_.focus();
-    if (document_.growth() && document_.growth()->tissues) tissues_ = document_.growth()->tissues;
+    if (!document_.region()) memory_ = {};
     return;
   }
   if (wanted_ && segmentation::haveSameSeeds(*wanted_, *document_.region())) return;
@@ -69,7 +81,7 @@ void RegionGrower::follow() {
 }
 
 void RegionGrower::start() {
-  Task task{document_.study().scene.volume, *wanted_, false, tissues_, document_.grownBefore(*wanted_)};
+  Task task{document_.study().scene.volume, *wanted_, false, memory_, document_.grownBefore(*wanted_)};
   // A further seed changes a region that shows as a whole; a first part of it would be less than that.
   const auto* shown = std::get_if<RegionFocus>(&before_);
   task.showsPart = !task.before && (!shown || shown->origin() != wanted_->origin());
@@ -90,32 +102,27 @@ Document::Growing RegionGrower::grow(const Task& task, const io::Progress& progr
     return made(*segmentation::paintedOn(*growth, first, task.seeds, *task.volume));
   }
   showPart(task, part(progress, 0.0, firstShare));
-  std::shared_ptr<const segmentation::TissueTree> tissues = task.tissues;
-  const bool needsTissues = task.seeds.rule == RegionRule::Tissues && !task.seeds.inside.empty();
-  if (needsTissues && !tissues) {
-    tissues = segmentation::TissueTree::build(*task.volume, part(progress, firstShare, tissueShare));
-    if (!tissues) throw io::Cancelled();
-    // Also where this region is given up: the next click needs the same.
-    QMetaObject::invokeMethod(
-        this,
-        [this, tissues, volume = task.volume] {
-          if (document_.study().scene.volume == volume) tissues_ = tissues;
-        },
-        Qt::QueuedConnection);
-  }
   std::optional<Growth> growth =
       segmentation::growRegion(*task.volume, task.seeds, segmentation::wholeOf(task.volume->grid.dims),
-                               part(progress, task.tissues ? firstShare : tissueShare, 1.0), std::move(tissues));
+                               part(progress, firstShare, 1.0), task.memory);
   if (!growth) throw io::Cancelled();
   return made(std::move(*growth));
 }
 
 void RegionGrower::showPart(const Task& task, const segmentation::Progress& progress) {
+  const segmentation::VoxelBox whole = segmentation::wholeOf(task.volume->grid.dims);
   const segmentation::VoxelBox near = segmentation::previewBox(*task.volume, task.seeds);
-  if (!task.showsPart || near == segmentation::wholeOf(task.volume->grid.dims)) return;
-  std::optional<Growth> growth = segmentation::growRegion(*task.volume, task.seeds, near, progress);
-  if (!growth) throw io::Cancelled();
-  if (shareOf(*growth, task.seeds) > mostOfPart) return;
+  if (!task.showsPart || near == whole) return;
+  std::optional<Growth> growth;
+  for (const auto& [box, most] :
+       {std::pair(near, mostOfBox), std::pair(layerAround(*task.volume, task.seeds), mostOfLayer)}) {
+    if (box.empty() || box == whole) return;
+    growth = segmentation::growRegion(*task.volume, task.seeds, box, progress);
+    if (!growth) throw io::Cancelled();
+    if (shareOf(*growth, task.seeds) <= most) break;
+    growth.reset();
+  }
+  if (!growth) return;
   QMetaObject::invokeMethod(
       this,
       [this, seeds = task.seeds, part = std::make_shared<const Growth>(std::move(*growth))] {

@@ -18,6 +18,8 @@ class RegionGrower : public QObject {
   explicit RegionGrower(Document& document, QObject* parent = nullptr);
 
   bool isGrowing() const { return wanted_.has_value(); }
+  /// What is kept for corrections, while a region is in the focus; to be asked while none grows.
+  const segmentation::GrowthMemory& memory() const { return memory_; }
   /// Gives up the region that is being grown, or that Document::asksToOpen() about: the focus becomes what it was
   /// before.
   void cancel();
@@ -37,7 +39,7 @@ class RegionGrower : public QObject {
     std::shared_ptr<const Volume> volume;
     RegionFocus seeds;
     bool showsPart = false;  ///< a first part is of use
-    std::shared_ptr<const segmentation::TissueTree> tissues;
+    segmentation::GrowthMemory memory;
     std::optional<std::pair<RegionFocus, std::shared_ptr<const segmentation::Growth>>> before;
   };
   /// Off the GUI thread.
@@ -54,8 +56,7 @@ class RegionGrower : public QObject {
   Focus before_;                       ///< the last focus that was complete
   int step_ = 0;                       ///< of the history at which wanted_ was asked for
   bool starts_ = false;                ///< once the job before it has ended: two would take twice the memory
-  /// The volume's, from the first click on, until another study opens.
-  std::shared_ptr<const segmentation::TissueTree> tissues_;
+  segmentation::GrowthMemory memory_;  ///< of the volume, while a region is in the focus
   LoadJob job_;
 };
 

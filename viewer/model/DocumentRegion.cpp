@@ -8,11 +8,16 @@
 namespace fenestra::viewer {
 namespace {
 
-/// Bytes that the growths of regions may hold together, one for each voxel and their tissues'; the latest stays
-/// whatever its size.
+/// Bytes that the growths of regions may hold together, one for each voxel; the latest stays whatever its size.
 constexpr std::size_t mostGrownBytes = std::size_t{256} << 20;
 /// A corrected region that has grown by no more than this factor is still the one that showed.
 constexpr double mostRefinedGrowth = 1.1;
+
+/// A first part that is a layer of slices: it shows an outline there, but no structure in 3-D.
+bool isLayer(const segmentation::Growth& part) {
+  const glm::ivec3 dims = part.box.dims(), all = part.steps->grid.dims;
+  return dims.x == all.x && dims.y == all.y && 2 * dims.z < std::min(dims.x, dims.y);
+}
 
 }  // namespace
 
@@ -57,7 +62,7 @@ std::optional<segmentation::RegionFacts> Document::regionFacts() const {
 void Document::setGrowth(const RegionFocus& seeds, Growing grown) {
   const bool isPart = !grown.facts;
   if (isPart) {
-    showsPreview_ = std::holds_alternative<std::monostate>(study_.drawn.focus());
+    showsPreview_ = std::holds_alternative<std::monostate>(study_.drawn.focus()) && !isLayer(*grown.growth);
     preview_ = {std::move(grown), seeds};
   } else {
     preview_ = {};
@@ -70,21 +75,23 @@ void Document::setGrowth(const RegionFocus& seeds, Growing grown) {
     limitGrown();
   }
   if (!region() || !segmentation::haveSameSeeds(seeds, *region())) return;
-  const bool showsOther = updateDrawn();
+  bool showsOther = false;
+  if (!isPart && std::exchange(showsPreview_, false) && asksToOpen()) {
+    // Nothing was in focus before the first part, and nothing is until the user has answered.
+    SetScene without = study_.scene;
+    without.look.focus = std::monostate{};
+    study_.drawn.update(without, nullptr);
+    showsOther = true;
+  }
+  showsOther |= updateDrawn();
   Q_EMIT focusChanged();
   if (showsOther) Q_EMIT sceneChanged();
 }
 
 void Document::limitGrown() {
-  // Growths of one volume share its tissues.
   const auto bytes = [this] {
     std::size_t sum = 0;
-    const segmentation::TissueTree* counted = nullptr;
-    for (const Grown& each : grown_) {
-      sum += each.growth->steps->voxels.byteCount();
-      const segmentation::TissueTree* tissues = each.growth->tissues.get();
-      if (tissues && tissues != std::exchange(counted, tissues)) sum += tissues->heldBytes();
-    }
+    for (const Grown& each : grown_) sum += each.growth->steps->voxels.byteCount();
     return sum;
   };
   while (grown_.size() > 1 && bytes() > mostGrownBytes) grown_.erase(grown_.begin());

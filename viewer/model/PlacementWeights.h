@@ -67,7 +67,7 @@ struct PlacementHabit {
   bool placement::Habits::*member;
 };
 
-inline constexpr std::array<PlacementHabit, 3> placementHabits{{
+inline constexpr std::array<PlacementHabit, 4> placementHabits{{
     {"avoidCutEnds", QT_TRANSLATE_NOOP("PlacementForm", "Not through cut ends"),
      QT_TRANSLATE_NOOP("PlacementForm",
                        "No view within 45° of an end of the scan where the body goes on, while another one shows at "
@@ -83,6 +83,12 @@ inline constexpr std::array<PlacementHabit, 3> placementHabits{{
                        "A stack of a few slices, or one much thinner than wide, is seen from the side from which its "
                        "slices are shown, not edge-on"),
      &placement::Habits::flatFromFront},
+    {"nearSideFirst", QT_TRANSLATE_NOOP("PlacementForm", "From the near side"),
+     QT_TRANSLATE_NOOP(
+         "PlacementForm",
+         "From the side of the body that the focus is nearer to, rather than through the body, where both "
+         "show about as much"),
+     &placement::Habits::nearSideFirst},
 }};
 
 }  // namespace fenestra::viewer

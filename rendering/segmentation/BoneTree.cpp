@@ -1,0 +1,225 @@
+#include "rendering/segmentation/BoneTree.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <numeric>
+#include <unordered_map>
+
+#include "rendering/segmentation/BoneVoxels.h"
+#include "rendering/segmentation/Morphology.h"
+#include "rendering/segmentation/PairQueue.h"
+#include "rendering/segmentation/Smoothing.h"
+
+namespace fenestra::segmentation {
+namespace {
+
+// Chosen on the marked structures of tests/bench/results/growing.md.
+constexpr double neckUnit = 4.0;       ///< units of the noise: the cost of a neck of half the width
+constexpr double narrowestNeck = 0.3;  ///< parts with less in common are two bones at every tolerance
+constexpr double closingRadius = 2.0;  ///< voxel sides
+constexpr double jointWidth = 0.7;     ///< a narrower neck is a joint, a wider one is part of a bone
+/// HU, and deviations of the noise: three in ten values of bone differ by more from their median, where those of blood
+/// or tissue with a contrast agent do not.
+constexpr double leastSpread = 45.0, leastNoiseSpread = 3.0, spreadQuantile = 0.7;
+
+/// Basins of the depth, and the greatest depth at which two of them meet.
+struct Watershed {
+  std::vector<std::uint32_t> leaves;                              ///< by voxel of the set
+  std::vector<float> peaks;                                       ///< by leaf: its greatest depth, mm
+  std::vector<std::unordered_map<std::uint32_t, float>> saddles;  ///< by leaf: depths where it meets others
+};
+
+/// From the deepest voxel on, each goes to the basin of its deepest neighbour.
+Watershed watershedOf(const VoxelSet& voxels, const std::vector<float>& depths, const VoxelBox& whole) {
+  constexpr std::uint32_t none = UINT32_MAX;
+  std::vector<std::uint32_t> order(voxels.size());
+  std::iota(order.begin(), order.end(), std::uint32_t{0});
+  std::stable_sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) { return depths[a] > depths[b]; });
+  Watershed result;
+  result.leaves.assign(voxels.size(), none);
+  std::vector<std::uint32_t> near;
+  for (const std::uint32_t number : order) {
+    const glm::ivec3 at = whole.at(voxels.offsets()[number]);
+    near.clear();
+    std::uint32_t steepest = none;  // the deepest of the neighbours that are deeper
+    const VoxelBox around = VoxelBox{at - 1, at + 2}.clippedTo(whole);
+    for (std::size_t i = 0; i < around.count(); ++i) {
+      const std::size_t offset = whole.offset(around.at(i));
+      if (!voxels.holds(offset)) continue;
+      const std::uint32_t other = voxels.numberOf(offset);
+      const std::uint32_t leaf = result.leaves[other];
+      if (leaf == none) continue;
+      if (steepest == none || depths[other] > depths[steepest]) steepest = other;
+      if (std::find(near.begin(), near.end(), leaf) == near.end()) near.push_back(leaf);
+    }
+    const auto own = steepest == none ? static_cast<std::uint32_t>(result.peaks.size()) : result.leaves[steepest];
+    if (steepest == none) {
+      result.peaks.push_back(depths[number]);
+      result.saddles.emplace_back();
+    }
+    result.leaves[number] = own;
+    for (const std::uint32_t other : near)
+      if (other != own) {
+        result.saddles[own].try_emplace(other, depths[number]);
+        result.saddles[other].try_emplace(own, depths[number]);
+      }
+  }
+  return result;
+}
+
+/// Merges the parts with the widest neck first.
+class NeckMerger {
+ public:
+  NeckMerger(Watershed& watershed, double side)
+      : peaks_(watershed.peaks), saddles_(watershed.saddles), slack_(static_cast<float>(0.5 * side)) {
+    parents.assign(peaks_.size(), UINT32_MAX);
+    heights.assign(peaks_.size(), 0.0f);
+    for (std::uint32_t a = 0; a < saddles_.size(); ++a)
+      for (const auto& [b, saddle] : saddles_[a])
+        if (a < b) push(a, b, saddle);
+    while (const std::optional<TissuePair> pair = queue_.pop())
+      if (parents[pair->a] == UINT32_MAX && parents[pair->b] == UINT32_MAX) merge(*pair);
+  }
+
+  std::vector<std::uint32_t> parents;  ///< by node
+  std::vector<float> heights;          ///< by node
+
+ private:
+  void push(std::uint32_t a, std::uint32_t b, float saddle) {
+    const float lesser = std::min(peaks_[a], peaks_[b]);
+    const float width = saddle + slack_ >= lesser ? 1.0f : saddle / lesser;
+    if (static_cast<double>(width) < narrowestNeck) return;
+    queue_.push({static_cast<float>(neckUnit) * (1.0f / width - 1.0f), std::min(a, b), std::max(a, b)});
+  }
+
+  void merge(const TissuePair& pair) {
+    const auto parent = static_cast<std::uint32_t>(parents.size());
+    parents.push_back(UINT32_MAX);
+    heights.push_back(std::max({pair.cost, heights[pair.a], heights[pair.b]}));
+    parents[pair.a] = parents[pair.b] = parent;
+    peaks_.push_back(std::max(peaks_[pair.a], peaks_[pair.b]));
+    saddles_.emplace_back();
+    std::unordered_map<std::uint32_t, float>& both = saddles_.back();
+    for (const std::uint32_t part : {pair.a, pair.b}) {
+      for (const auto& [other, saddle] : saddles_[part]) {
+        saddles_[other].erase(part);
+        if (other != pair.a && other != pair.b) both[other] = std::max(both[other], saddle);
+      }
+      saddles_[part] = {};
+    }
+    for (const auto& [other, saddle] : both) {
+      saddles_[other][parent] = saddle;
+      push(other, parent, saddle);
+    }
+  }
+
+  std::vector<float>& peaks_;
+  std::vector<std::unordered_map<std::uint32_t, float>>& saddles_;
+  float slack_;  ///< mm
+  PairQueue queue_;
+};
+
+/// The box of the voxels that join at all; empty without one.
+VoxelBox boxOf(const VoxelSet& voxels, const std::vector<std::uint32_t>& leaves, const std::vector<Level>& joins,
+               const VoxelBox& whole) {
+  VoxelBox box{whole.high, whole.low};
+  for (std::size_t number = 0; number < voxels.size(); ++number)
+    if (joins[leaves[number]] != never) {
+      const glm::ivec3 at = whole.at(voxels.offsets()[number]);
+      box = {glm::min(box.low, at), glm::max(box.high, at + 1)};
+    }
+  return box;
+}
+
+}  // namespace
+
+std::shared_ptr<const BoneTree> BoneTree::build(const Volume& volume, const std::function<bool()>& goOn) {
+  assert(volume.isInHounsfieldUnits() && volume.grid.voxelCount() < UINT32_MAX);
+  const auto tree = std::make_shared<BoneTree>();
+  tree->grid_ = volume.grid;
+  tree->voxels_ = boneVoxels(volume);
+  if (goOn && !goOn()) return nullptr;
+  const std::vector<float> depths = depthsOf(tree->voxels_, volume.grid);
+  if (goOn && !goOn()) return nullptr;
+  Watershed watershed = watershedOf(tree->voxels_, depths, wholeOf(volume.grid.dims));
+  if (goOn && !goOn()) return nullptr;
+  NeckMerger merger(watershed, voxelSide(volume.grid));
+  tree->leaves_ = std::move(watershed.leaves);
+  tree->parents_ = std::move(merger.parents);
+  tree->heights_ = std::move(merger.heights);
+  return tree;
+}
+
+/// The leaf of the nearest dense voxel that a closing could reach the seed from.
+std::uint32_t BoneTree::leafNear(glm::ivec3 seed) const {
+  const VoxelBox whole = wholeOf(grid_.dims);
+  std::uint32_t nearest = none;
+  double least = 0.0;
+  for (const glm::ivec3 offset : ballOffsets(grid_, 2.0 * closingRadius * voxelSide(grid_))) {
+    if (!whole.contains(seed + offset) || !voxels_.holds(whole.offset(seed + offset))) continue;
+    const double distance = glm::length(glm::dvec3(grid_.worldFromIndex() * glm::dvec4(glm::dvec3(offset), 0.0)));
+    if (nearest != none && distance >= least) continue;
+    nearest = leaves_[voxels_.numberOf(whole.offset(seed + offset))];
+    least = distance;
+  }
+  return nearest;
+}
+
+std::vector<Level> BoneTree::leafJoins(std::uint32_t leaf) const {
+  std::vector<Level> joins(parents_.size(), never);
+  for (std::uint32_t node = leaf; node != none; node = parents_[node]) joins[node] = levelOf(heights_[node]);
+  for (std::size_t node = parents_.size(); node-- > 0;)
+    if (joins[node] == never && parents_[node] != none) joins[node] = joins[parents_[node]];
+  return joins;
+}
+
+std::vector<Level> BoneTree::joinsOf(glm::ivec3 seed) const {
+  const VoxelBox whole = wholeOf(grid_.dims);
+  std::vector<Level> joins(whole.count(), never);
+  const std::uint32_t leaf = leafNear(seed);
+  if (leaf == none) return joins;
+  const std::vector<Level> byLeaf = leafJoins(leaf);
+  const std::vector<glm::ivec3> ball = ballOffsets(grid_, closingRadius * voxelSide(grid_));
+  glm::ivec3 reach(0);
+  for (const glm::ivec3 offset : ball) reach = glm::max(reach, offset);
+  const VoxelBox box = boxOf(voxels_, leaves_, byLeaf, whole).grownBy(2 * reach).clippedTo(whole);
+  if (!box.contains(seed)) return joins;
+  std::vector<Level> levels(box.count(), never), least(box.count(), never);
+  for (std::size_t number = 0; number < voxels_.size(); ++number)
+    if (const Level level = byLeaf[leaves_[number]]; level != never)
+      levels[box.offset(whole.at(voxels_.offsets()[number]))] = level;
+  lowerToLeastWithin(levels, box.dims(), ball, least);
+  const std::vector<Level> closed = greatestWithin(least, box.dims(), ball);
+  const Level first = std::min(closed[box.offset(seed)], levels[box.offset(seed)]);
+  if (first == never) return joins;
+  for (std::size_t i = 0; i < closed.size(); ++i) {
+    const Level level = std::min(closed[i], levels[i]);
+    if (level != never) joins[whole.offset(box.at(i))] = std::max(first, level);
+  }
+  return joins;
+}
+
+int BoneTree::lastStep() { return levelOf(neckUnit * (1.0 / jointWidth - 1.0)) + 1; }
+
+bool BoneTree::isBone(const Volume& volume, std::span<const Level> joins, int step) const {
+  std::vector<double> values;
+  for (const std::uint32_t offset : voxels_.offsets())
+    if (joins[offset] < step) values.push_back(volume.value(wholeOf(grid_.dims).at(offset)));
+  if (values.empty()) return false;
+  const auto quantile = [&](double share) {
+    const auto at = values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
+    std::nth_element(values.begin(), at, values.end());
+    return *at;
+  };
+  const double median = quantile(0.5);
+  for (double& value : values) value = std::abs(value - median);
+  return quantile(spreadQuantile) >= std::max(leastSpread, leastNoiseSpread * noiseOf(volume).deviation);
+}
+
+std::size_t BoneTree::heldBytes() const {
+  return voxels_.heldBytes() + leaves_.size() * sizeof(std::uint32_t) +
+         parents_.size() * (sizeof(std::uint32_t) + sizeof(float));
+}
+
+}  // namespace fenestra::segmentation

@@ -1,0 +1,59 @@
+#pragma once
+// The bones of a CT, parted where they meet in necks.
+//
+// Two bones that touch are joined by less than either is thick: by a facet, a costal joint, a gap of cartilage that the
+// scanner blurs. So the dense voxels (BoneVoxels.h) are parted into the basins of their depth, a watershed, and the
+// basins merge two by two, those with the widest neck first, as the tissues of TissueTree.h do. Two parts merge at the
+// cost
+//
+//   neckUnit · (1 / width - 1), width: the greatest depth of their common border ÷ the lesser of their greatest depths
+//
+// and at none where the border is half a voxel less deep than the lesser part at most. The program's own formula.
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "rendering/segmentation/Levels.h"
+#include "rendering/segmentation/VoxelBox.h"
+#include "rendering/segmentation/VoxelSet.h"
+#include "rendering/volume/Volume.h"
+
+namespace fenestra::segmentation {
+
+class BoneTree {
+ public:
+  /// `volume` is in Hounsfield units and has fewer than 2³² voxels. `goOn` is asked now and then; null when it returned
+  /// false. Takes up to three bytes a voxel while it runs, and some 40 for each dense one. Deterministic.
+  static std::shared_ptr<const BoneTree> build(const Volume& volume, const std::function<bool()>& goOn = {});
+
+  /// The levels at which voxels join the bone at a seed, which need not be dense itself: that of the least merge which
+  /// holds the bone nearest to the seed and the voxel. Regions of all levels are closed with a ball of two voxels, so
+  /// that they hold their marrow; what does not hold the seed is no region. Entry i is of voxel i of the volume;
+  /// `never` everywhere where no bone holds the seed. Runs on all cores.
+  std::vector<Level> joinsOf(glm::ivec3 seed) const;
+
+  /// The last step of joinsOf() that crosses no joint: a larger region is several bones.
+  static int lastStep();
+  /// Whether the dense voxels of a region of joinsOf() are as uneven as bone is. Contrast agent makes blood and organs
+  /// as dense, but even.
+  bool isBone(const Volume& volume, std::span<const Level> joins, int step) const;
+
+  std::size_t heldBytes() const;
+
+ private:
+  static constexpr std::uint32_t none = UINT32_MAX;
+
+  std::uint32_t leafNear(glm::ivec3 seed) const;
+  std::vector<Level> leafJoins(std::uint32_t leaf) const;
+
+  Grid grid_;
+  VoxelSet voxels_;
+  std::vector<std::uint32_t> leaves_;   ///< by voxel of the set
+  std::vector<std::uint32_t> parents_;  ///< by node, leaves first; a parent comes after its children; none: the last
+  std::vector<float> heights_;          ///< by node: cost of its merge, not less than its children's; 0 for leaves
+};
+
+}  // namespace fenestra::segmentation

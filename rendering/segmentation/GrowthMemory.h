@@ -1,0 +1,49 @@
+#pragma once
+// What regions of one volume share, so that a correction need not begin anew.
+
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "rendering/segmentation/BoneTree.h"
+#include "rendering/segmentation/Curve.h"
+#include "rendering/segmentation/Smoothing.h"
+#include "rendering/segmentation/TissueTree.h"
+
+namespace fenestra::segmentation {
+
+/// The region of a first seed in the whole volume, before further seeds change it.
+struct FirstRegion {
+  glm::ivec3 seed{0};
+  glm::dvec3 centre{0.0};  ///< of the ball, world mm
+  double ball = 0.0;       ///< as RegionFocus::ball
+  std::vector<Level> joins, costs;
+  Noise noise;
+  GrowthCurve curve;
+};
+
+/// A handle; copies share what it holds, two bytes a voxel and the volume's tissues and bones. growRegion() reads it
+/// and adds to it, on one thread at a time.
+class GrowthMemory {
+ public:
+  GrowthMemory(std::shared_ptr<const TissueTree> tissues = nullptr)
+      : held_(std::make_shared<Held>(Held{std::move(tissues), nullptr, nullptr})) {}
+
+  std::shared_ptr<const TissueTree>& tissues() const { return held_->tissues; }
+  std::shared_ptr<const BoneTree>& bones() const { return held_->bones; }  ///< null without Hounsfield units, too
+  std::shared_ptr<const FirstRegion>& first() const { return held_->first; }
+  std::size_t bytes() const {
+    return (held_->tissues ? held_->tissues->heldBytes() : 0) + (held_->bones ? held_->bones->heldBytes() : 0) +
+           (held_->first ? held_->first->joins.size() + held_->first->costs.size() : 0);
+  }
+
+ private:
+  struct Held {
+    std::shared_ptr<const TissueTree> tissues;
+    std::shared_ptr<const BoneTree> bones;
+    std::shared_ptr<const FirstRegion> first;
+  };
+  std::shared_ptr<Held> held_;
+};
+
+}  // namespace fenestra::segmentation
