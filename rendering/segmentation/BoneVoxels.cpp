@@ -5,6 +5,7 @@
 #include <cassert>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "rendering/segmentation/Morphology.h"
 #include "rendering/segmentation/Smoothing.h"
@@ -52,84 +53,66 @@ std::vector<std::uint8_t> denseVoxels(const Volume& volume) {
   return dense;
 }
 
-/// The holes in one plane of a mask.
+/// Fills the holes that dense voxels enclose in the planes across one axis.
 class PlaneFiller {
  public:
-  PlaneFiller(glm::ivec3 dims, int axis, const Grid& grid) : axis_(axis), u_((axis + 1) % 3), v_((axis + 2) % 3) {
-    width_ = dims[u_];
-    height_ = dims[v_];
+  PlaneFiller(const VoxelSet& dense, const Grid& grid, int axis)
+      : dense_(dense), whole_(wholeOf(grid.dims)), u_((axis + 1) % 3), v_((axis + 2) % 3), states_(whole_.count()) {
     const glm::dvec3 a = grid.direction[u_] * grid.spacing[u_], b = grid.direction[v_] * grid.spacing[v_];
     most_ = static_cast<std::size_t>(largestCanal / glm::length(glm::cross(a, b)));
-    states_.resize(static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_));
   }
 
-  /// filled(voxel) for each voxel in a hole of the plane `at` of `mask`.
-  template <class Filled>
-  void run(std::span<const std::uint8_t> mask, const VoxelBox& whole, int at, Filled filled) {
-    for (int v = 0; v < height_; ++v)
-      for (int u = 0; u < width_; ++u) states_[offset(u, v)] = mask[whole.offset(voxel(u, v, at))] ? Dense : Unknown;
-    for (int v = 0; v < height_; ++v)
-      for (int u = 1; u < width_; ++u)
-        // Every hole has a voxel behind a dense one.
-        if (states_[offset(u, v)] == Unknown && states_[offset(u - 1, v)] == Dense && isHole(u, v))
-          for (const glm::ivec2 each : found_) filled(voxel(each.x, each.y, at));
+  /// Sets the voxels in holes to 1.
+  void run(std::vector<std::uint8_t>& mask) {
+    for (const std::uint32_t offset : dense_.offsets()) {
+      // Every hole has a voxel behind a dense one.
+      glm::ivec3 behind = whole_.at(offset);
+      ++behind[u_];
+      if (isUnknown(behind) && isHole(behind))
+        for (const glm::ivec3 each : found_) mask[whole_.offset(each)] = 1;
+    }
   }
 
  private:
-  enum State : std::uint8_t { Unknown, Dense, Seen, Open };
+  enum State : std::uint8_t { Unknown, Seen, Open };
 
-  std::size_t offset(int u, int v) const {
-    return static_cast<std::size_t>(v) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(u);
-  }
-  glm::ivec3 voxel(int u, int v, int at) const {
-    glm::ivec3 index;
-    index[axis_] = at;
-    index[u_] = u;
-    index[v_] = v;
-    return index;
+  bool isUnknown(glm::ivec3 voxel) const {
+    return whole_.contains(voxel) && states_[whole_.offset(voxel)] == Unknown && !dense_.holds(whole_.offset(voxel));
   }
 
-  /// Finds what is connected to a voxel, until that is too large, leaves the plane or meets what does.
-  bool isHole(int u, int v) {
-    found_.assign(1, {u, v});
-    states_[offset(u, v)] = Seen;
+  /// Finds what is connected to a voxel in its plane, until that is too large, leaves the volume or meets what does.
+  bool isHole(glm::ivec3 first) {
+    found_.assign(1, first);
+    states_[whole_.offset(first)] = Seen;
     bool isOpen = false;
-    for (std::size_t i = 0; i < found_.size() && !isOpen; ++i)
-      for (const glm::ivec2 step : {glm::ivec2(1, 0), glm::ivec2(-1, 0), glm::ivec2(0, 1), glm::ivec2(0, -1)}) {
-        const glm::ivec2 next = found_[i] + step;
-        if (next.x < 0 || next.y < 0 || next.x == width_ || next.y == height_) {
-          isOpen = true;
-          continue;
-        }
-        State& state = states_[offset(next.x, next.y)];
-        isOpen = isOpen || state == Open;
-        if (state != Unknown) continue;
-        state = Seen;
+    for (std::size_t i = 0; i < found_.size() && !isOpen && found_.size() <= most_; ++i)
+      for (const auto& [axis, way] : {std::pair{u_, 1}, {u_, -1}, {v_, 1}, {v_, -1}}) {
+        glm::ivec3 next = found_[i];
+        next[axis] += way;
+        isOpen = isOpen || !whole_.contains(next) || states_[whole_.offset(next)] == Open;
+        if (isOpen) break;
+        if (!isUnknown(next)) continue;
+        states_[whole_.offset(next)] = Seen;
         found_.push_back(next);
       }
     isOpen = isOpen || found_.size() > most_;
     if (isOpen)
-      for (const glm::ivec2 each : found_) states_[offset(each.x, each.y)] = Open;
+      for (const glm::ivec3 each : found_) states_[whole_.offset(each)] = Open;
     return !isOpen;
   }
 
-  int axis_, u_, v_, width_ = 0, height_ = 0;
+  const VoxelSet& dense_;
+  VoxelBox whole_;
+  int u_, v_;
   std::size_t most_ = 0;  ///< voxels
   std::vector<State> states_;
-  std::vector<glm::ivec2> found_;
+  std::vector<glm::ivec3> found_;
 };
 
+/// Each plane by itself: what one plane fills encloses nothing in another.
 void fillCanals(std::vector<std::uint8_t>& mask, const Grid& grid) {
-  const VoxelBox whole = wholeOf(grid.dims);
-  // Apart from the mask: what one plane fills encloses nothing in another.
-  std::vector<std::uint8_t> filled(mask.size(), 0);
-  for (int axis = 0; axis < 3; ++axis)
-    parallelFor(static_cast<std::size_t>(grid.dims[axis]), 1, [&](std::size_t begin, std::size_t end) {
-      PlaneFiller filler(grid.dims, axis, grid);
-      for (std::size_t at = begin; at < end; ++at)
-        filler.run(mask, whole, static_cast<int>(at), [&](glm::ivec3 voxel) { filled[whole.offset(voxel)] = 1; });
-    });
-  for (std::size_t i = 0; i < mask.size(); ++i) mask[i] |= filled[i];
+  const VoxelSet dense(mask);
+  for (int axis = 0; axis < 3; ++axis) PlaneFiller(dense, grid, axis).run(mask);
 }
 
 /// Passes on the nearest voxel outside from voxel to voxel, the nearest first.
