@@ -70,7 +70,7 @@ const char* nameOf(io::Warning::Kind kind) {
       return "changed data";
     case Kind::Recognised:
       return "recognised";
-    case Kind::Placement:
+    case Kind::SlicePlacement:
       return "placement";
     case Kind::Other:
       break;

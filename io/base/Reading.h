@@ -40,7 +40,7 @@ struct Warning {
     MovedData,    ///< a session's data lie elsewhere now
     ChangedData,  ///< a session's data are not what they were
     Recognised,   ///< nothing is odd: what the file leaves open was told from its values
-    Placement,    ///< where the slices of an irregular series are shown, and how far from their true places
+    SlicePlacement,  ///< where the slices of an irregular series are shown, and how far from their true places
     Other
   };
   Kind kind = Kind::Other;
@@ -59,8 +59,8 @@ struct GeometryReport {
   /// mm; what is nearer to its place than this is not mentioned. Headers round to a hundredth and below.
   static constexpr double tolerance = 0.01;
 
-  /// What was found, in which files and how large; the last one is of Kind::Placement. OpenedVolume's warnings hold
-  /// them, too.
+  /// What was found, in which files and how large; the last one is of Kind::SlicePlacement. OpenedVolume's warnings
+  /// hold them, too.
   std::vector<Warning> findings;
   Regularise applied = Regularise::Off;  ///< Linear, Cubic or Off
   double scannedStep = 0.0, step = 0.0;  ///< mm along the normal: the series' own, and between the planes shown

@@ -16,7 +16,7 @@
 #include "io/dicom/ImageParts.h"
 #include "io/dicom/LabelObject.h"
 #include "io/dicom/PackedFiles.h"
-#include "io/dicom/Placement.h"
+#include "io/dicom/PlaceSlices.h"
 #include "io/dicom/StackFrames.h"
 
 namespace fenestra::io {

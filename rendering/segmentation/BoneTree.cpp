@@ -21,7 +21,7 @@ constexpr double closingRadius = 2.0;  ///< voxel sides
 constexpr double jointWidth = 0.7;     ///< a narrower neck is a joint, a wider one is part of a bone
 /// HU, and deviations of the noise: three in ten values of bone differ by more from their median, where those of blood
 /// or tissue with a contrast agent do not.
-constexpr double leastSpread = 45.0, leastNoiseSpread = 3.0, spreadQuantile = 0.7;
+constexpr double leastSpread = 45.0, leastNoiseSpread = 1.5, spreadQuantile = 0.7;
 
 /// Basins of the depth, and the greatest depth at which two of them meet.
 struct Watershed {

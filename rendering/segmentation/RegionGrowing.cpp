@@ -25,9 +25,11 @@ constexpr double tissuesHandicap = 0.25;  ///< of the clarity: a region by tissu
 // a structure's usual size: what a click missed is seldom larger, a leak is. Apart from it, it means a structure of its
 // own, which may be far larger.
 constexpr double mostOfMissed = 0.5, mostOfOther = 10.0, mostAdded = 20.0;
-constexpr double marrowShare = 0.9;    ///< of a region that lies in a bone
-constexpr double leastContrast = 1.0;  ///< deviations of the noise, of a border
-constexpr double besideRadius = 4.0;   ///< voxel sides
+constexpr std::size_t mostForBones = 200'000'000;  ///< voxels: in larger volumes the search would take too long
+constexpr double marrowShare = 0.9;                ///< of a region that lies in a bone
+constexpr double leastContrast = 1.0;              ///< deviations of the noise, of a border
+constexpr double loudNoise = 2.0;                  ///< differences that the eye tells apart
+constexpr double besideRadius = 4.0;               ///< voxel sides
 
 /// A label map with a label for each step, whose voxels the caller sets.
 std::shared_ptr<LabelMap> emptySteps(const Grid& grid) {
@@ -61,7 +63,7 @@ class TissueBuild {
 
  private:
   static bool hasBones(const Volume& volume) {
-    return volume.isInHounsfieldUnits() && volume.grid.voxelCount() < UINT32_MAX;
+    return volume.isInHounsfieldUnits() && volume.grid.voxelCount() <= mostForBones;
   }
 
   void build(const Volume& volume) {
@@ -195,7 +197,9 @@ class SeedGrower {
 
   StructurePrior priorOf(const FirstRegion& region, const TissueTree& tissues) const {
     StructurePrior prior = structurePrior(tissues.bodyVolume(), isGasAt(region.seed));
-    prior.contrast = leastContrast * region.noise.share();
+    // The mean over a surface is far surer than one voxel is: in strong noise a border need not exceed it.
+    prior.contrast =
+        leastContrast * std::min(region.noise.deviation, loudNoise * region.noise.seen) / region.noise.unit;
     return prior;
   }
 

@@ -85,12 +85,12 @@ Noise noiseOf(const Volume& volume) {
       }
     }
   });
-  if (differences.empty()) return {0.0, least};
+  if (differences.empty()) return {0.0, least, least};
   const auto middle = differences.begin() + static_cast<std::ptrdiff_t>(differences.size() / 2);
   std::nth_element(differences.begin(), middle, differences.end());
   // The median of a normal deviate's magnitude is 0.6745 σ; the difference has variance 1.5 σ².
   const double deviation = *middle / 0.6745 / std::sqrt(1.5);
-  return {deviation, std::max(least, deviation)};
+  return {deviation, std::max(least, deviation), least};
 }
 
 std::span<const float> ToneSmoother::operator()(const VoxelBox& box) {

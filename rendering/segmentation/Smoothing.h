@@ -29,6 +29,7 @@ struct Noise {
   /// The unit of costs and tolerances: the deviation, but at least 2 % of the display window, which is the least that
   /// the eye tells apart.
   double unit = 1.0;
+  double seen = 1.0;  ///< the least difference that the eye tells apart
 
   double share() const { return deviation / unit; }
   bool operator==(const Noise&) const = default;

@@ -92,7 +92,7 @@ TEST(Dicom, GantryTiltShearsTheGridAndIsSaid) {
   EXPECT_NEAR(grid.voxelVolume(), 2.0 * std::cos(tilt), 1e-9);
   const Warning warning = warningOf(opened.warnings, Warning::Kind::GantryTilt);
   EXPECT_NE(warning.text.find("15 degrees"), std::string::npos) << warning.text;
-  EXPECT_NE(warningOf(opened.warnings, Warning::Kind::Placement).text.find("sheared"), std::string::npos);
+  EXPECT_NE(warningOf(opened.warnings, Warning::Kind::SlicePlacement).text.find("sheared"), std::string::npos);
   EXPECT_EQ(opened.warnings.size(), 2u) << kindsOf(opened.warnings);
 }
 
@@ -130,7 +130,7 @@ TEST(Dicom, UnevenSpacingIsSaidWithFigures) {
   const io::OpenedVolume opened = io::openVolume(folder);
   const Warning warning = warningOf(opened.warnings, Warning::Kind::UnevenSpacing);
   EXPECT_NE(warning.text.find("between 1 mm and 1.7 mm"), std::string::npos) << warning.text;
-  const Warning placement = warningOf(opened.warnings, Warning::Kind::Placement);
+  const Warning placement = warningOf(opened.warnings, Warning::Kind::SlicePlacement);
   EXPECT_NE(placement.text.find("5 planes 1.375 mm apart"), std::string::npos) << placement.text;
 }
 

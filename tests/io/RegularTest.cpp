@@ -278,7 +278,7 @@ TEST(Regular, TheReportNamesWhatWasFoundAndDone) {
   EXPECT_EQ(report.findings[0].kind, Warning::Kind::GantryTilt);
   EXPECT_EQ(report.findings[1].kind, Warning::Kind::UnevenSpacing);
   EXPECT_EQ(report.findings[1].files.size(), 7u) << "both sides of the gaps of 1 and 7 mm";
-  EXPECT_EQ(report.findings[2].kind, Warning::Kind::Placement);
+  EXPECT_EQ(report.findings[2].kind, Warning::Kind::SlicePlacement);
   EXPECT_EQ(report.applied, Regularise::Linear);
   EXPECT_TRUE(report.sheared);
   EXPECT_EQ(report.slices, 10);

@@ -231,6 +231,23 @@ TEST(RegionByTissues, SeedsChangeNothingElse) {
   EXPECT_NEAR(opened(again), opened(one), 0.05 * opened(one));
 }
 
+TEST(RegionByTissues, NoiseAboveTheContrastHidesNoBorder) {
+  constexpr double noise = 40.0, contrast = 35.0;
+  const Grid grid = gridOf(glm::ivec3(56));
+  const auto inOrgan = [](glm::ivec3 at) { return inBall(at, glm::dvec3(28.0), 14.0); };
+  const auto volume = noisyVolume(grid, noise, [&](glm::ivec3 at) { return inOrgan(at) ? contrast : 0.0; });
+  volume->unit = "HU";
+  const Growth growth = *growRegion(*volume, byTissues(*volume, glm::ivec3(28)), wholeOf(grid.dims));
+  const Mask region = maskAt(growth, growth.curve.automatic);
+  double both = 0.0, sum = 0.0;
+  tests::forEachVoxel(grid.dims, [&](glm::ivec3 at) {
+    const double joined = region.voxels[grid.offset(at)], inside = inOrgan(at) ? 1.0 : 0.0;
+    both += 2.0 * joined * inside;
+    sum += joined + inside;
+  });
+  EXPECT_GT(both / sum, 0.85);
+}
+
 TEST(RegionByTissues, TakesVolumesOfAnyKind) {
   const auto single = volumeOf<std::uint8_t>(gridOf(glm::ivec3(1)), [](glm::ivec3) { return 3; });
   const auto flat = volumeOf<std::int16_t>(gridOf({30, 20, 1}), [](glm::ivec3) { return -5; });

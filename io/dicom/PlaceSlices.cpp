@@ -1,4 +1,4 @@
-#include "io/dicom/Placement.h"
+#include "io/dicom/PlaceSlices.h"
 
 #include <algorithm>
 #include <cmath>
@@ -35,7 +35,7 @@ Warning placementOf(const GeometryReport& report, const Volume& volume) {
                ? "the volume is sheared, so that every slice lies where it was scanned"
                : "all slices are shown " + millimetres(report.step) + " apart, up to " +
                      millimetres(report.displacement) + " from where they were scanned";
-    return {Warning::Kind::Placement, std::move(text), {}};
+    return {Warning::Kind::SlicePlacement, std::move(text), {}};
   }
   text = std::string(report.applied == Regularise::Cubic ? "cubic" : "linear") +
          " interpolation places the slices on " + std::to_string(report.planes) + " planes " +
@@ -51,7 +51,7 @@ Warning placementOf(const GeometryReport& report, const Volume& volume) {
     text += "; " + percent(report.emptyVoxels, volume.grid.voxelCount()) +
             " of the voxels lie outside of what was scanned and hold the least value, " +
             valueText(volume.range.low, volume.unit);
-  return {Warning::Kind::Placement, std::move(text), {}};
+  return {Warning::Kind::SlicePlacement, std::move(text), {}};
 }
 
 /// The regular grid to use; empty keeps the stack's.
