@@ -1,16 +1,14 @@
 #include "rendering/segmentation/RegionGrowing.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cassert>
-#include <chrono>
 #include <cmath>
-#include <future>
 #include <limits>
 #include <span>
 
 #include "rendering/segmentation/BoneTree.h"
 #include "rendering/segmentation/BoneVoxels.h"
+#include "rendering/segmentation/MemoryBuild.h"
 #include "rendering/segmentation/Morphology.h"
 #include "rendering/segmentation/Painting.h"
 #include "rendering/segmentation/Smoothing.h"
@@ -25,11 +23,10 @@ constexpr double tissuesHandicap = 0.25;  ///< of the clarity: a region by tissu
 // a structure's usual size: what a click missed is seldom larger, a leak is. Apart from it, it means a structure of its
 // own, which may be far larger.
 constexpr double mostOfMissed = 0.5, mostOfOther = 10.0, mostAdded = 20.0;
-constexpr std::size_t mostForBones = 200'000'000;  ///< voxels: in larger volumes the search would take too long
-constexpr double marrowShare = 0.9;                ///< of a region that lies in a bone
-constexpr double leastContrast = 1.0;              ///< deviations of the noise, of a border
-constexpr double loudNoise = 2.0;                  ///< differences that the eye tells apart
-constexpr double besideRadius = 4.0;               ///< voxel sides
+constexpr double marrowShare = 0.9;    ///< of a region that lies in a bone
+constexpr double leastContrast = 1.0;  ///< deviations of the noise, of a border
+constexpr double loudNoise = 2.0;      ///< differences that the eye tells apart
+constexpr double besideRadius = 4.0;   ///< voxel sides
 
 /// A label map with a label for each step, whose voxels the caller sets.
 std::shared_ptr<LabelMap> emptySteps(const Grid& grid) {
@@ -40,42 +37,6 @@ std::shared_ptr<LabelMap> emptySteps(const Grid& grid) {
     steps->labels.push_back({static_cast<std::uint16_t>(step), {}, regionColour});
   return steps;
 }
-
-/// Builds a volume's tissues and bones beside other work, unless they are known.
-class TissueBuild {
- public:
-  TissueBuild(const Volume& volume, const GrowthMemory& memory) : memory_(memory) {
-    if (!memory.tissues() || (hasBones(volume) && !memory.bones()))
-      built_ = std::async(std::launch::async, [this, &volume] { build(volume); });
-  }
-  ~TissueBuild() { stops_ = true; }
-  TissueBuild(const TissueBuild&) = delete;
-  TissueBuild& operator=(const TissueBuild&) = delete;
-
-  /// Whether the memory holds them; false when `goOn`, which is asked now and then, has returned false.
-  bool wait(const std::function<bool()>& goOn) {
-    if (!built_.valid()) return true;
-    while (built_.wait_for(std::chrono::milliseconds(20)) != std::future_status::ready)
-      if (!goOn()) return false;
-    built_.get();
-    return true;
-  }
-
- private:
-  static bool hasBones(const Volume& volume) {
-    return volume.isInHounsfieldUnits() && volume.grid.voxelCount() <= mostForBones;
-  }
-
-  void build(const Volume& volume) {
-    if (!memory_.tissues()) memory_.tissues() = TissueTree::build(volume, [this](double) { return !stops_; });
-    if (hasBones(volume) && !memory_.bones() && !stops_)
-      memory_.bones() = BoneTree::build(volume, [this] { return !stops_; });
-  }
-
-  const GrowthMemory& memory_;
-  std::atomic<bool> stops_ = false;
-  std::future<void> built_;  ///< last: it is waited for while the others live
-};
 
 /// Grows a region in a box, as its settings say.
 class SeedGrower {
@@ -102,7 +63,7 @@ class SeedGrower {
     // Before another one is grown: both would take twice the memory.
     if (memory.first() && !isWanted(*memory.first())) memory.first() = nullptr;
     {
-      TissueBuild build(volume_, memory);
+      MemoryBuild build(volume_, memory);
       std::shared_ptr<FirstRegion> first;
       if (!memory.first() && !(first = grownByValues({inside.front()}, {}))) return std::nullopt;
       if (!build.wait([this] { return goOn(0.8); }) || !goOn(0.8)) return std::nullopt;

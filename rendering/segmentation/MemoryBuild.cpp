@@ -1,0 +1,33 @@
+#include "rendering/segmentation/MemoryBuild.h"
+
+#include <chrono>
+
+namespace fenestra::segmentation {
+namespace {
+
+constexpr std::size_t mostForBones = 200'000'000;  ///< voxels: in larger volumes the search would take too long
+
+bool hasBones(const Volume& volume) { return volume.isInHounsfieldUnits() && volume.grid.voxelCount() <= mostForBones; }
+
+}  // namespace
+
+MemoryBuild::MemoryBuild(const Volume& volume, const GrowthMemory& memory) : memory_(memory) {
+  if (!memory.tissues() || (hasBones(volume) && !memory.bones()))
+    built_ = std::async(std::launch::async, [this, &volume] { build(volume); });
+}
+
+bool MemoryBuild::wait(const std::function<bool()>& goOn) {
+  if (!built_.valid()) return true;
+  while (built_.wait_for(std::chrono::milliseconds(20)) != std::future_status::ready)
+    if (!goOn()) return false;
+  built_.get();
+  return true;
+}
+
+void MemoryBuild::build(const Volume& volume) {
+  if (!memory_.tissues()) memory_.tissues() = TissueTree::build(volume, [this](double) { return !stops_; });
+  if (hasBones(volume) && !memory_.bones() && !stops_)
+    memory_.bones() = BoneTree::build(volume, [this] { return !stops_; });
+}
+
+}  // namespace fenestra::segmentation
