@@ -20,13 +20,14 @@ struct Signature {
   std::string_view bytes;
   std::size_t at;
   OtherContent content;
+  std::string_view start = {};  ///< of the file, besides
 };
 constexpr std::array signatures{
     Signature{"\x89PNG\r\n\x1a\n"sv, 0, {"a PNG picture", "PNG pictures", picture}},
     Signature{"\xff\xd8\xff"sv, 0, {"a JPEG picture", "JPEG pictures", picture}},
     Signature{"GIF8"sv, 0, {"a GIF picture", "GIF pictures", picture}},
     Signature{"\0\0\0\x0cjP  \r\n\x87\n"sv, 0, {"a JPEG 2000 picture", "JPEG 2000 pictures", picture}},
-    Signature{"\0\0\0\0"sv, 6, {"a BMP picture", "BMP pictures", picture}},  // behind BM and the size
+    Signature{"\0\0\0\0"sv, 6, {"a BMP picture", "BMP pictures", picture}, "BM"sv},  // reserved, behind the size
     Signature{"ftyp"sv, 4, {"a film", "films", picture}},
     Signature{"%PDF-"sv, 0, {"a PDF document", "PDF documents", document}},
     Signature{"Rar!\x1a\x07"sv, 0, {"a RAR archive", "RAR archives", archive}},
@@ -45,8 +46,7 @@ const OtherContent* otherContentOf(std::span<const std::byte> start) {
     return start.size() >= at + bytes.size() && std::memcmp(start.data() + at, bytes.data(), bytes.size()) == 0;
   };
   const auto known = std::ranges::find_if(signatures, [&](const Signature& signature) {
-    if (!holds(signature.bytes, signature.at)) return false;
-    return signature.at != 6 || holds("BM", 0);
+    return holds(signature.bytes, signature.at) && holds(signature.start, 0);
   });
   return known == signatures.end() ? nullptr : &known->content;
 }

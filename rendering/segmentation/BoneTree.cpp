@@ -174,17 +174,16 @@ std::vector<Level> BoneTree::leafJoins(std::uint32_t leaf) const {
   return joins;
 }
 
-std::vector<Level> BoneTree::joinsOf(glm::ivec3 seed) const {
+std::optional<std::vector<Level>> BoneTree::joinsOf(glm::ivec3 seed) const {
   const VoxelBox whole = wholeOf(grid_.dims);
-  std::vector<Level> joins(whole.count(), never);
   const std::uint32_t leaf = leafNear(seed);
-  if (leaf == none) return joins;
+  if (leaf == none) return std::nullopt;
   const std::vector<Level> byLeaf = leafJoins(leaf);
   const std::vector<glm::ivec3> ball = ballOffsets(grid_, closingRadius * voxelSide(grid_));
   glm::ivec3 reach(0);
   for (const glm::ivec3 offset : ball) reach = glm::max(reach, offset);
   const VoxelBox box = boxOf(voxels_, leaves_, byLeaf, whole).grownBy(2 * reach).clippedTo(whole);
-  if (!box.contains(seed)) return joins;
+  if (!box.contains(seed)) return std::nullopt;
   std::vector<Level> levels(box.count(), never), least(box.count(), never);
   for (std::size_t number = 0; number < voxels_.size(); ++number)
     if (const Level level = byLeaf[leaves_[number]]; level != never)
@@ -192,7 +191,8 @@ std::vector<Level> BoneTree::joinsOf(glm::ivec3 seed) const {
   lowerToLeastWithin(levels, box.dims(), ball, least);
   const std::vector<Level> closed = greatestWithin(least, box.dims(), ball);
   const Level first = std::min(closed[box.offset(seed)], levels[box.offset(seed)]);
-  if (first == never) return joins;
+  if (first == never) return std::nullopt;
+  std::vector<Level> joins(whole.count(), never);
   for (std::size_t i = 0; i < closed.size(); ++i) {
     const Level level = std::min(closed[i], levels[i]);
     if (level != never) joins[whole.offset(box.at(i))] = std::max(first, level);

@@ -3,7 +3,7 @@
 //
 // Two bones that touch are joined by less than either is thick: by a facet, a costal joint, a gap of cartilage that the
 // scanner blurs. So the dense voxels (BoneVoxels.h) are parted into the basins of their depth, a watershed, and the
-// basins merge two by two, those with the widest neck first, as the tissues of TissueTree.h do. Two parts merge at the
+// basins merge two by two, as the tissues of TissueTree.h do, those with the widest neck first. Two parts merge at the
 // cost
 //
 //   neckUnit · (1 / width - 1), width: the greatest depth of their common border ÷ the lesser of their greatest depths
@@ -13,6 +13,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -31,9 +32,9 @@ class BoneTree {
 
   /// The levels at which voxels join the bone at a seed, which need not be dense itself: that of the least merge which
   /// holds the bone nearest to the seed and the voxel. Regions of all levels are closed with a ball of two voxels, so
-  /// that they hold their marrow; what does not hold the seed is no region. Entry i is of voxel i of the volume;
-  /// `never` everywhere where no bone holds the seed. Runs on all cores.
-  std::vector<Level> joinsOf(glm::ivec3 seed) const;
+  /// that they hold their marrow; what does not hold the seed is no region. Entry i is of voxel i of the volume. Empty
+  /// where no bone holds the seed, which costs next to nothing far from bone. Runs on all cores.
+  std::optional<std::vector<Level>> joinsOf(glm::ivec3 seed) const;
 
   /// The last step of joinsOf() that crosses no joint: a larger region is several bones.
   static int lastStep();

@@ -1,7 +1,6 @@
 #include "rendering/segmentation/BoneVoxels.h"
 
 #include <algorithm>
-#include <array>
 #include <cassert>
 #include <cmath>
 #include <limits>
@@ -115,7 +114,7 @@ void fillCanals(std::vector<std::uint8_t>& mask, const Grid& grid) {
   for (int axis = 0; axis < 3; ++axis) PlaneFiller(dense, grid, axis).run(mask);
 }
 
-/// Passes on the nearest voxel outside from voxel to voxel, the nearest first.
+/// Hands the nearest voxel outside from neighbour to neighbour, the shortest distance first.
 class DepthSpreader {
  public:
   DepthSpreader(const VoxelSet& voxels, const Grid& grid)

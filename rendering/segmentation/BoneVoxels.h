@@ -21,10 +21,10 @@ VoxelSet boneVoxels(const Volume& volume);
 /// cores.
 std::vector<Level> boneCosts(const Volume& volume, const Noise& noise);
 
-/// By number: mm from the centre of a voxel of the set to that of the nearest one outside it, along ways within the set
-/// that each pass on their nearest voxel (P.-E. Danielsson: Euclidean distance mapping, Computer Graphics and Image
-/// Processing 14, 1980), so that a few are too long by a small part of a voxel. The volume's faces are no outside: a
-/// bone that the scan cuts is not thin there. 0 where nothing is outside.
+/// By number: mm from the centre of a voxel of the set to that of the nearest one outside it. Each voxel compares the
+/// nearest outside voxels of its neighbours (P.-E. Danielsson: Euclidean distance mapping, Computer Graphics and Image
+/// Processing 14, 1980), so that a few distances are too long by a small part of a voxel. The volume's faces are no
+/// outside: a bone that the scan cuts is not thin there. 0 where nothing is outside.
 std::vector<float> depthsOf(const VoxelSet& voxels, const Grid& grid);
 
 }  // namespace fenestra::segmentation

@@ -116,8 +116,8 @@ class SeedGrower {
             [&](const std::vector<Level>&, const ClearestStep& other) {
               return !clearest || other.clarity > clearest->clarity + tissuesHandicap;
             });
-    if (bones)
-      compete(bones->joinsOf(region.seed), boneCosts(volume_, region.noise), BoneTree::lastStep(),
+    if (std::optional<std::vector<Level>> bone = bones ? bones->joinsOf(region.seed) : std::nullopt)
+      compete(std::move(*bone), boneCosts(volume_, region.noise), BoneTree::lastStep(),
               [&](const std::vector<Level>& joins, const ClearestStep& other) {
                 return bones->isBone(volume_, joins, other.step) &&
                        (!clearest || other.clarity > clearest->clarity ||
@@ -158,7 +158,7 @@ class SeedGrower {
 
   StructurePrior priorOf(const FirstRegion& region, const TissueTree& tissues) const {
     StructurePrior prior = structurePrior(tissues.bodyVolume(), isGasAt(region.seed));
-    // The mean over a surface is far surer than one voxel is: in strong noise a border need not exceed it.
+    // A border's contrast is a mean over many faces, so that it is seen below the noise of a single voxel.
     prior.contrast =
         leastContrast * std::min(region.noise.deviation, loudNoise * region.noise.seen) / region.noise.unit;
     return prior;

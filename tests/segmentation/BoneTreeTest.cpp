@@ -60,20 +60,19 @@ TEST(BoneTree, PartsTwoBonesAtTheirJointAndHoldsTheirMarrow) {
   const std::shared_ptr<Volume> volume = ctOf(jointGrid, jointValue);
   const std::shared_ptr<const BoneTree> bones = BoneTree::build(*volume);
   for (const glm::ivec3 seed : {glm::ivec3(left), glm::ivec3(left) + glm::ivec3(0, 12, 0)})
-    EXPECT_GT(diceAt(bones->joinsOf(seed), BoneTree::lastStep(), jointGrid, inLeft), 0.95);
-  EXPECT_GT(diceAt(bones->joinsOf(glm::ivec3(right)), BoneTree::lastStep(), jointGrid, inRight), 0.95);
+    EXPECT_GT(diceAt(*bones->joinsOf(seed), BoneTree::lastStep(), jointGrid, inLeft), 0.95);
+  EXPECT_GT(diceAt(*bones->joinsOf(glm::ivec3(right)), BoneTree::lastStep(), jointGrid, inRight), 0.95);
 }
 
 TEST(BoneTree, LargerTolerancesCrossTheJoint) {
   const std::shared_ptr<Volume> volume = ctOf(jointGrid, jointValue);
-  const std::vector<Level> joins = BoneTree::build(*volume)->joinsOf(glm::ivec3(left));
+  const std::vector<Level> joins = *BoneTree::build(*volume)->joinsOf(glm::ivec3(left));
   EXPECT_GT(diceAt(joins, stepCount, jointGrid, [](glm::ivec3 at) { return inLeft(at) || inRight(at); }), 0.95);
 }
 
 TEST(BoneTree, HoldsNoSeedFarFromBone) {
   const std::shared_ptr<Volume> volume = ctOf(jointGrid, jointValue);
-  const std::vector<Level> joins = BoneTree::build(*volume)->joinsOf({2, 2, 2});
-  EXPECT_TRUE(std::ranges::all_of(joins, [](Level level) { return level == never; }));
+  EXPECT_FALSE(BoneTree::build(*volume)->joinsOf({2, 2, 2}));
 }
 
 TEST(BoneTree, BloodWithContrastAgentIsTooEvenForBone) {
@@ -81,13 +80,13 @@ TEST(BoneTree, BloodWithContrastAgentIsTooEvenForBone) {
   const auto inVessel = [](glm::ivec3 at) { return std::hypot(at.x - 20.0, at.y - 20.0) <= 9.0; };
   const std::shared_ptr<Volume> vessel = ctOf(grid, [&](glm::ivec3 at) { return inVessel(at) ? blood : muscle; });
   const std::shared_ptr<const BoneTree> dense = BoneTree::build(*vessel);
-  const std::vector<Level> joins = dense->joinsOf({20, 20, 20});
+  const std::vector<Level> joins = *dense->joinsOf({20, 20, 20});
   ASSERT_GT(diceAt(joins, BoneTree::lastStep(), grid, inVessel), 0.9);
   EXPECT_FALSE(dense->isBone(*vessel, joins, BoneTree::lastStep()));
 
   const std::shared_ptr<Volume> joint = ctOf(jointGrid, jointValue);
   const std::shared_ptr<const BoneTree> bones = BoneTree::build(*joint);
-  EXPECT_TRUE(bones->isBone(*joint, bones->joinsOf(glm::ivec3(left)), BoneTree::lastStep()));
+  EXPECT_TRUE(bones->isBone(*joint, *bones->joinsOf(glm::ivec3(left)), BoneTree::lastStep()));
 }
 
 TEST(BoneTree, AClickInMarrowTakesItsBoneAlone) {
