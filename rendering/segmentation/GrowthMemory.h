@@ -20,6 +20,7 @@ struct FirstRegion {
   std::vector<Level> joins, costs;
   Noise noise;
   GrowthCurve curve;
+  bool isBone = false;  ///< of BoneTree
 };
 
 /// A handle; copies share what it holds, two bytes a voxel and the volume's tissues and bones. growRegion() reads it

@@ -4,6 +4,7 @@
 #include <cassert>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <span>
 
 #include "rendering/segmentation/BoneTree.h"
@@ -11,6 +12,7 @@
 #include "rendering/segmentation/MemoryBuild.h"
 #include "rendering/segmentation/Morphology.h"
 #include "rendering/segmentation/Painting.h"
+#include "rendering/segmentation/RegionCut.h"
 #include "rendering/segmentation/Smoothing.h"
 #include "rendering/segmentation/ValueGrower.h"
 
@@ -27,6 +29,12 @@ constexpr double marrowShare = 0.9;    ///< of a region that lies in a bone
 constexpr double leastContrast = 1.0;  ///< deviations of the noise, of a border
 constexpr double loudNoise = 2.0;      ///< differences that the eye tells apart
 constexpr double besideRadius = 4.0;   ///< voxel sides
+constexpr double farthestGap = 30.0;   ///< mm: a seed farther from the region means more than a piece of it
+/// Radius of the largest ball that a further seed adds, as a multiple of its distance from the region: one at the
+/// surface means a layer.
+constexpr double gapReach = 3.0;
+constexpr CutCost boneCut{.perVolume = 0.03, .edge = std::numeric_limits<double>::infinity()};
+constexpr double tissueCutPerVolume = 0.01;  ///< CutCost; what is soft has edges to go by
 
 /// A label map with a label for each step, whose voxels the caller sets.
 std::shared_ptr<LabelMap> emptySteps(const Grid& grid) {
@@ -78,7 +86,7 @@ class SeedGrower {
     const FirstRegion& first = *memory.first();
     const double body = memory.tissues()->bodyVolume();
     if (inside.size() == 1 && outside.empty()) return growthOf(first.joins, first.curve, first.noise, body);
-    return corrected(first, inside, outside, *memory.tissues());
+    return corrected(first, inside, outside, *memory.tissues(), memory.bones().get());
   }
 
  private:
@@ -107,22 +115,23 @@ class SeedGrower {
       keepToBall(joins);
       GrowthCurve curve = curveOf(joins, costs, region.noise);
       const auto other = clearestStep(curve, prior, volume_.grid, last);
-      if (!other || !wins(joins, *other)) return;
+      if (!other || !wins(joins, *other)) return false;
       region.curve = std::move(curve);
       region.joins = std::move(joins);
       clearest = other;
+      return true;
     };
-    compete(tissues.joinsOf(volume_, std::span(&region.seed, 1)), region.costs, stepCount,
+    compete(tissues.joinsOf(volume_, region.seed), region.costs, stepCount,
             [&](const std::vector<Level>&, const ClearestStep& other) {
               return !clearest || other.clarity > clearest->clarity + tissuesHandicap;
             });
     if (std::optional<std::vector<Level>> bone = bones ? bones->joinsOf(region.seed) : std::nullopt)
-      compete(std::move(*bone), boneCosts(volume_, region.noise), BoneTree::lastStep(),
-              [&](const std::vector<Level>& joins, const ClearestStep& other) {
-                return bones->isBone(volume_, joins, other.step) &&
-                       (!clearest || other.clarity > clearest->clarity ||
-                        isMarrow(region.joins, clearest->step, joins, other.step));
-              });
+      region.isBone = compete(std::move(*bone), boneCosts(volume_, region.noise), BoneTree::lastStep(),
+                              [&](const std::vector<Level>& joins, const ClearestStep& other) {
+                                return bones->isBone(volume_, joins, other.step) &&
+                                       (!clearest || other.clarity > clearest->clarity ||
+                                        isMarrow(region.joins, clearest->step, joins, other.step));
+                              });
     if (clearest) beginWith(region.curve, clearest->step);
   }
 
@@ -140,16 +149,20 @@ class SeedGrower {
 
   /// The region of a first seed as the further ones change it.
   Growth corrected(const FirstRegion& first, const std::vector<glm::ivec3>& inside,
-                   const std::vector<glm::ivec3>& outside, const TissueTree& tissues) const {
-    const StructurePrior prior = priorOf(first, tissues);
+                   const std::vector<glm::ivec3>& outside, const TissueTree& tissues, const BoneTree* bones) const {
     std::vector<Level> joins = first.joins;
     const int automatic = first.curve.automatic;
     // The region at the chosen step, whatever the tolerance: it must not depend on when seeds were added.
-    StructurePrior further = prior;
-    further.expected = first.curve.volume[static_cast<std::size_t>(automatic)];
+    StructurePrior prior = priorOf(first, tissues);
+    prior.expected = first.curve.volume[static_cast<std::size_t>(automatic)];
     for (const glm::ivec3& seed : std::span(inside).subspan(1))
-      addTissueAt(seed, tissues, further, first, automatic, joins);
-    for (const glm::ivec3& seed : outside) takeTissueAt(seed, inside, tissues, prior, first, automatic, joins);
+      addAt(seed, tissues, bones, prior, first, automatic, joins);
+    if (!outside.empty()) {
+      const CutCost cost = first.isBone ? boneCut : CutCost{tissueCutPerVolume, first.noise.unit};
+      const std::vector<std::uint8_t> taken = cutOff(volume_, joins, automatic, inside, outside, cost);
+      for (std::size_t i = 0; i < joins.size(); ++i)
+        if (taken[i] || joins[i] >= automatic) joins[i] = never;
+    }
     // The tolerance stays: what is added and taken away is all that changes.
     GrowthCurve curve = curveOf(joins, first);
     beginWith(curve, automatic);
@@ -178,45 +191,46 @@ class SeedGrower {
     });
   }
 
-  /// The clearest tissue at a further seed joins at the step `automatic`, with its own larger and smaller ones around
-  /// it.
-  void addTissueAt(const glm::ivec3& seed, const TissueTree& tissues, StructurePrior prior, const FirstRegion& first,
-                   int automatic, std::vector<Level>& joins) const {
-    const std::size_t at = wholeOf(volume_.grid.dims).offset(seed);
-    if (joins[at] < automatic) return;
-    const double share = isBeside(seed, joins, automatic) ? mostOfMissed : mostOfOther;
-    prior.most = prior.limit = std::min(prior.most, std::max(share * prior.expected, mostAdded * prior.usual));
-    std::vector<Level> own = tissues.joinsOf(volume_, std::span(&seed, 1));
+  /// The clearest tissue or bone at a further seed joins at the step `automatic`, with its own larger and smaller ones
+  /// around it.
+  void addAt(const glm::ivec3& seed, const TissueTree& tissues, const BoneTree* bones, StructurePrior prior,
+             const FirstRegion& first, int automatic, std::vector<Level>& joins) const {
+    const double gap = gapTo(seed, joins, automatic);
+    if (gap == 0.0) return;
+    const bool isBeside = gap <= besideRadius * voxelSide(volume_.grid);
+    prior.most = std::min(prior.most,
+                          std::max((isBeside ? mostOfMissed : mostOfOther) * prior.expected, mostAdded * prior.usual));
+    if (gap < farthestGap)
+      prior.most = std::min(prior.most, 4.0 / 3.0 * std::numbers::pi * std::pow(gapReach * gap, 3.0));
+    prior.limit = prior.most;
+    std::vector<Level> own = tissues.joinsOf(volume_, seed);
     keepToBall(own);
-    const auto clearest = clearestStep(curveOf(own, first), prior, volume_.grid);
+    std::optional<ClearestStep> clearest = clearestStep(curveOf(own, first), prior, volume_.grid);
+    if (std::optional<std::vector<Level>> bone = bones ? bones->joinsOf(seed) : std::nullopt) {
+      keepToBall(*bone);
+      const GrowthCurve curve = curveOf(*bone, boneCosts(volume_, first.noise), first.noise);
+      const auto other = clearestStep(curve, prior, volume_.grid, BoneTree::lastStep());
+      if (other && bones->isBone(volume_, *bone, other->step) &&
+          (first.isBone || !clearest || other->clarity > clearest->clarity)) {
+        own = std::move(*bone);
+        clearest = other;
+      }
+    }
     const int shift = automatic - (clearest ? clearest->step : 1);
     for (std::size_t i = 0; i < joins.size(); ++i)
       if (own[i] != never)
         joins[i] = std::min(joins[i], static_cast<Level>(std::clamp(own[i] + shift, 0, levelCount - 1)));
   }
 
-  /// What is nearer to a seed outside leaves at every step: of the region at the step `automatic` its clearest tissue
-  /// that holds no seed inside, and all of what joins later.
-  void takeTissueAt(const glm::ivec3& seed, const std::vector<glm::ivec3>& inside, const TissueTree& tissues,
-                    StructurePrior prior, const FirstRegion& first, int automatic, std::vector<Level>& joins) const {
-    prior.most = prior.limit = std::numeric_limits<double>::infinity();
-    const std::vector<Level> own = tissues.joinsOf(volume_, std::span(&seed, 1), inside);
-    int apart = stepCount;  // the last step that holds no seed inside
-    for (const glm::ivec3 each : inside) apart = std::min<int>(apart, own[wholeOf(volume_.grid.dims).offset(each)]);
-    const auto clearest = clearestStep(curveOf(own, first), prior, volume_.grid, apart);
-    const int last = clearest ? clearest->step : std::max(1, apart);
-    const std::vector<std::uint8_t> taken = tissues.takenBy(volume_, inside, std::span(&seed, 1));
-    for (std::size_t i = 0; i < joins.size(); ++i)
-      if (taken[i] && (own[i] < last || joins[i] >= automatic)) joins[i] = never;
-  }
-
-  /// Whether the region of a step reaches close to a voxel.
-  bool isBeside(glm::ivec3 voxel, const std::vector<Level>& joins, int step) const {
+  /// mm from a voxel to the region of a step, `farthestGap` at most.
+  double gapTo(glm::ivec3 voxel, const std::vector<Level>& joins, int step) const {
     const VoxelBox whole = wholeOf(volume_.grid.dims);
-    const std::vector<glm::ivec3> ball = ballOffsets(volume_.grid, besideRadius * voxelSide(volume_.grid));
-    return std::any_of(ball.begin(), ball.end(), [&](glm::ivec3 offset) {
-      return whole.contains(voxel + offset) && joins[whole.offset(voxel + offset)] < step;
-    });
+    double gap = farthestGap;
+    for (const glm::ivec3 offset : ballOffsets(volume_.grid, farthestGap))
+      if (whole.contains(voxel + offset) && joins[whole.offset(voxel + offset)] < step)
+        gap =
+            std::min(gap, glm::length(glm::dvec3(volume_.grid.worldFromIndex() * glm::dvec4(glm::dvec3(offset), 0.0))));
+    return gap;
   }
 
   bool isGasAt(glm::ivec3 seed) const { return volume_.isInHounsfieldUnits() && volume_.value(seed) < gasBelow; }

@@ -11,9 +11,9 @@
 // the first merge that holds it and the seed. In a CT the bone at the seed competes, too, parted from its neighbours at
 // the joints (BoneTree.h), but not in volumes that are very large. Of all regions of the first seed, by values, by
 // tissues and as a bone, the clearest one is chosen (Curve.h); one that is more of the body than a structure is only
-// where nothing else is clear. A further seed adds its own clearest region at the same tolerance. A seed outside takes
-// away what is nearer to it: of the chosen region its clearest tissue that holds no seed inside, and all of what a
-// greater tolerance would add.
+// where nothing else is clear. A further seed adds its own clearest region at the same tolerance, and no larger one
+// than its distance from the region lets expect. Seeds outside cut off their part of the chosen region (RegionCut.h);
+// from then on a greater tolerance adds nothing.
 
 #include <functional>
 #include <memory>

@@ -3,9 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <numeric>
-#include <queue>
 #include <utility>
 
 #include "rendering/segmentation/TissueMerger.h"
@@ -13,9 +11,6 @@
 
 namespace fenestra::segmentation {
 namespace {
-
-/// Units of the noise for each step from leaf to leaf: without it, ways through an even tissue would have no length.
-constexpr float stepLength = 0.25f;
 
 /// Cells that share one look at the volume's voxels: their intermediate arrays fit a core's cache.
 constexpr glm::ivec3 tileCells{32, 8, 8};
@@ -89,45 +84,33 @@ void TissueTree::setNeighbours(const Tissues& tissues) {
   neighbours_.resize(2 * tissues.contacts.size());
   std::vector<std::uint32_t> next(firstNeighbour_.begin(), firstNeighbour_.end() - 1);
   for (const TissueContact& contact : tissues.contacts) {
-    const float edge = edgeBetween(tissues.all[contact.a], tissues.all[contact.b], contact);
-    neighbours_[next[contact.a]++] = {contact.b, edge};
-    neighbours_[next[contact.b]++] = {contact.a, edge};
+    neighbours_[next[contact.a]++] = contact.b;
+    neighbours_[next[contact.b]++] = contact.a;
   }
 }
 
 std::size_t TissueTree::heldBytes() const {
   return leaves_.size() * sizeof(std::uint32_t) + means_.size() * (2 * sizeof(float) + sizeof(std::uint8_t)) +
-         firstNeighbour_.size() * sizeof(std::uint32_t) + neighbours_.size() * sizeof(Neighbour) +
+         firstNeighbour_.size() * sizeof(std::uint32_t) + neighbours_.size() * sizeof(std::uint32_t) +
          parents_.size() * (sizeof(std::uint32_t) + sizeof(float));
 }
 
 std::uint32_t TissueTree::leafAt(glm::ivec3 voxel) const { return leaves_[wholeOf(cells_).offset(voxel / cellSize_)]; }
 
-std::span<const TissueTree::Neighbour> TissueTree::neighboursOf(std::uint32_t leaf) const {
+std::span<const std::uint32_t> TissueTree::neighboursOf(std::uint32_t leaf) const {
   return std::span(neighbours_).subspan(firstNeighbour_[leaf], firstNeighbour_[leaf + 1] - firstNeighbour_[leaf]);
 }
 
-std::vector<std::uint8_t> TissueTree::holding(std::span<const glm::ivec3> seeds) const {
-  std::vector<std::uint8_t> holds(parents_.size(), 0);
-  for (const glm::ivec3 seed : seeds)
-    for (std::uint32_t node = leafAt(seed); node != none && !holds[node]; node = parents_[node]) holds[node] = 1;
-  return holds;
-}
-
-std::vector<Level> TissueTree::leafJoins(std::span<const glm::ivec3> inside) const {
-  const std::vector<std::uint8_t> holds = holding(inside);
+std::vector<Level> TissueTree::leafJoins(glm::ivec3 seed) const {
   std::vector<Level> joins(parents_.size(), never);
-  for (std::size_t node = parents_.size(); node-- > 0;) {
-    if (holds[node])
-      joins[node] = levelOf(heights_[node]);
-    else if (parents_[node] != none)
-      joins[node] = joins[parents_[node]];
-  }
+  for (std::uint32_t node = leafAt(seed); node != none; node = parents_[node]) joins[node] = levelOf(heights_[node]);
+  for (std::size_t node = parents_.size(); node-- > 0;)
+    if (joins[node] == never && parents_[node] != none) joins[node] = joins[parents_[node]];
   joins.resize(means_.size());
   return joins;
 }
 
-std::vector<Level> TissueTree::enclosures(std::span<const Level> joins, std::span<const glm::ivec3> others) const {
+std::vector<Level> TissueTree::enclosures(std::span<const Level> joins) const {
   std::vector<Level> greatest(joins.size(), 0);
   std::array<std::vector<std::uint32_t>, 256> waiting;
   const auto begin = [&](std::uint32_t leaf) {
@@ -136,23 +119,22 @@ std::vector<Level> TissueTree::enclosures(std::span<const Level> joins, std::spa
   };
   for (std::uint32_t leaf = 0; leaf < joins.size(); ++leaf)
     if (isAtFace_[leaf]) begin(leaf);
-  for (const glm::ivec3 seed : others) begin(leafAt(seed));
   for (std::size_t level = waiting.size(); level-- > 1;)
     for (std::size_t i = 0; i < waiting[level].size(); ++i) {
       const std::uint32_t leaf = waiting[level][i];
       if (greatest[leaf] != level) continue;
-      for (const Neighbour& next : neighboursOf(leaf)) {
-        const Level along = std::min(static_cast<Level>(level), joins[next.leaf]);
-        if (along <= greatest[next.leaf]) continue;
-        greatest[next.leaf] = along;
-        waiting[along].push_back(next.leaf);
+      for (const std::uint32_t next : neighboursOf(leaf)) {
+        const Level along = std::min(static_cast<Level>(level), joins[next]);
+        if (along <= greatest[next]) continue;
+        greatest[next] = along;
+        waiting[along].push_back(next);
       }
     }
   return greatest;
 }
 
-void TissueTree::fillPockets(std::vector<Level>& joins, std::span<const glm::ivec3> others) const {
-  const std::vector<Level> enclosed = enclosures(joins, others);
+void TissueTree::fillPockets(std::vector<Level>& joins) const {
+  const std::vector<Level> enclosed = enclosures(joins);
   std::array<double, 256> volumes{};
   for (std::size_t leaf = 0; leaf < joins.size(); ++leaf) volumes[joins[leaf]] += static_cast<double>(volumes_[leaf]);
   for (std::size_t level = 1; level < volumes.size(); ++level) volumes[level] += volumes[level - 1];
@@ -166,37 +148,15 @@ void TissueTree::fillPockets(std::vector<Level>& joins, std::span<const glm::ive
     seen[first] = 1;
     for (std::size_t i = 0; i < pocket.size(); ++i) {
       volume += static_cast<double>(volumes_[pocket[i]]);
-      for (const Neighbour& next : neighboursOf(pocket[i]))
-        if (!seen[next.leaf] && enclosed[next.leaf] == level && joins[next.leaf] > level) {
-          seen[next.leaf] = 1;
-          pocket.push_back(next.leaf);
+      for (const std::uint32_t next : neighboursOf(pocket[i]))
+        if (!seen[next] && enclosed[next] == level && joins[next] > level) {
+          seen[next] = 1;
+          pocket.push_back(next);
         }
     }
     if (volume < 0.5 * volumes[level])
       for (const std::uint32_t leaf : pocket) joins[leaf] = level;
   }
-}
-
-std::vector<float> TissueTree::distancesFrom(std::span<const glm::ivec3> seeds) const {
-  using Entry = std::pair<float, std::uint32_t>;
-  std::vector<float> distances(means_.size(), std::numeric_limits<float>::infinity());
-  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> waiting;
-  for (const glm::ivec3 seed : seeds) {
-    distances[leafAt(seed)] = 0.0f;
-    waiting.push({0.0f, leafAt(seed)});
-  }
-  while (!waiting.empty()) {
-    const auto [distance, leaf] = waiting.top();
-    waiting.pop();
-    if (distance > distances[leaf]) continue;
-    for (const Neighbour& next : neighboursOf(leaf)) {
-      const float along = distance + stepLength + next.edge;
-      if (along >= distances[next.leaf]) continue;
-      distances[next.leaf] = along;
-      waiting.push({along, next.leaf});
-    }
-  }
-  return distances;
 }
 
 template <class AreAlike, class Visit>
@@ -257,49 +217,14 @@ void TissueTree::forTile(const Volume& volume, const ToneScale& scale, const Vox
   }
 }
 
-std::vector<Level> TissueTree::joinsOf(const Volume& volume, std::span<const glm::ivec3> inside,
-                                       std::span<const glm::ivec3> others) const {
-  std::vector<Level> byLeaf = leafJoins(inside);
-  fillPockets(byLeaf, others);
+std::vector<Level> TissueTree::joinsOf(const Volume& volume, glm::ivec3 seed) const {
+  std::vector<Level> byLeaf = leafJoins(seed);
+  fillPockets(byLeaf);
   std::vector<Level> joins(volume.grid.voxelCount());
   forVoxels(
       volume, [&](std::uint32_t a, std::uint32_t b) { return byLeaf[a] == byLeaf[b]; },
       [&](std::size_t voxel, std::uint32_t leaf) { joins[voxel] = byLeaf[leaf]; });
   return joins;
-}
-
-std::vector<std::uint8_t> TissueTree::takenBy(const Volume& volume, std::span<const glm::ivec3> inside,
-                                              std::span<const glm::ivec3> outside) const {
-  enum Side : std::uint8_t { Kept, Taken, Shared };
-  const std::vector<std::uint8_t> in = holding(inside), out = holding(outside);
-  std::vector<std::uint8_t> sides(parents_.size(), Kept);
-  for (std::size_t node = parents_.size(); node-- > 0;) {
-    const bool isTakenWhole = parents_[node] != none && sides[parents_[node]] == Taken;
-    if (isTakenWhole || (out[node] && !in[node]))
-      sides[node] = Taken;
-    else if (out[node])
-      sides[node] = Shared;
-  }
-  const std::vector<float> toInside = distancesFrom(inside), toOutside = distancesFrom(outside);
-  for (std::size_t leaf = 0; leaf < means_.size(); ++leaf)
-    if (sides[leaf] == Taken && toInside[leaf] <= toOutside[leaf]) sides[leaf] = Kept;
-  const auto squareTo = [&](glm::ivec3 voxel, std::span<const glm::ivec3> seeds) {
-    double least = std::numeric_limits<double>::infinity();
-    for (const glm::ivec3 seed : seeds) {
-      const glm::dvec3 way(volume.grid.worldFromIndex() * glm::dvec4(glm::dvec3(voxel - seed), 0.0));
-      least = std::min(least, glm::dot(way, way));
-    }
-    return least;
-  };
-  std::vector<std::uint8_t> taken(volume.grid.voxelCount());
-  const VoxelBox voxels = wholeOf(volume.grid.dims);
-  forVoxels(
-      volume, [&](std::uint32_t a, std::uint32_t b) { return sides[a] == sides[b]; },
-      [&](std::size_t voxel, std::uint32_t leaf) {
-        const glm::ivec3 at = voxels.at(voxel);
-        taken[voxel] = sides[leaf] == Taken || (sides[leaf] == Shared && squareTo(at, outside) < squareTo(at, inside));
-      });
-  return taken;
 }
 
 }  // namespace fenestra::segmentation

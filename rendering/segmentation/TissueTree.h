@@ -33,20 +33,12 @@ class TissueTree {
   /// done; null when it returned false. Deterministic.
   static std::shared_ptr<const TissueTree> build(const Volume& volume, const std::function<bool(double)>& goOn = {});
 
-  /// The levels at which voxels join a region that starts at the voxels `inside`: that of the least merge which holds a
-  /// seed and the voxel; 0 in a seed's own leaf. A pocket that a region encloses and that is less than half as large
-  /// joins with what encloses it, unless it holds a seed of `others`: marrow belongs to its bone, vessels to their
-  /// lung. A cell on a border holds voxels of several leaves: each belongs to the leaf among those around it whose mean
-  /// is nearest to its own value, smoothed. Costs are in units of the noise. Entry i is of voxel i of the volume. Runs
-  /// on all cores.
-  std::vector<Level> joinsOf(const Volume& volume, std::span<const glm::ivec3> inside,
-                             std::span<const glm::ivec3> others = {}) const;
-
-  /// By voxel: 1 in the largest tissues that hold a seed of `outside` and none of `inside`, where one outside is
-  /// nearer. Ways lead from leaf to leaf, and are as long as the edges that they cross are high; in a leaf that holds
-  /// both kinds the distance in space decides.
-  std::vector<std::uint8_t> takenBy(const Volume& volume, std::span<const glm::ivec3> inside,
-                                    std::span<const glm::ivec3> outside) const;
+  /// The levels at which voxels join a region that starts at the voxel `seed`: that of the least merge which holds
+  /// both; 0 in the seed's own leaf. A pocket that a region encloses and that is less than half as large joins with
+  /// what encloses it: marrow belongs to its bone, vessels to their lung. A cell on a border holds voxels of several
+  /// leaves: each belongs to the leaf among those around it whose mean is nearest to its own value, smoothed. Costs are
+  /// in units of the noise. Entry i is of voxel i of the volume. Runs on all cores.
+  std::vector<Level> joinsOf(const Volume& volume, glm::ivec3 seed) const;
 
   double noiseUnit() const { return noise_.unit; }   ///< real values
   double bodyVolume() const { return bodyVolume_; }  ///< mm³ of what is no air
@@ -55,23 +47,14 @@ class TissueTree {
  private:
   static constexpr std::uint32_t none = UINT32_MAX;
 
-  struct Neighbour {
-    std::uint32_t leaf;
-    float edge;  ///< units of the noise
-  };
-
   void setNeighbours(const Tissues& tissues);
   std::uint32_t leafAt(glm::ivec3 voxel) const;
-  std::span<const Neighbour> neighboursOf(std::uint32_t leaf) const;
-  std::vector<Level> leafJoins(std::span<const glm::ivec3> inside) const;
+  std::span<const std::uint32_t> neighboursOf(std::uint32_t leaf) const;
+  std::vector<Level> leafJoins(glm::ivec3 seed) const;
   /// By leaf: the level that encloses it, which is its own where nothing does: of the ways from it to a face of the
-  /// volume or to a leaf of `others`, the one that joins last; on a way its first leaf to join counts.
-  std::vector<Level> enclosures(std::span<const Level> joins, std::span<const glm::ivec3> others) const;
-  void fillPockets(std::vector<Level>& joins, std::span<const glm::ivec3> others) const;
-  /// By leaf: the least sum of edges on a way from a seed.
-  std::vector<float> distancesFrom(std::span<const glm::ivec3> seeds) const;
-  /// By node: whether it holds a seed.
-  std::vector<std::uint8_t> holding(std::span<const glm::ivec3> seeds) const;
+  /// volume, the one that joins last; on a way its first leaf to join counts.
+  std::vector<Level> enclosures(std::span<const Level> joins) const;
+  void fillPockets(std::vector<Level>& joins) const;
   /// visit(offset of a voxel, its leaf) for all voxels, on all cores. `areAlike` tells of two leaves that it does not
   /// matter which of them holds a voxel.
   template <class AreAlike, class Visit>
@@ -89,7 +72,7 @@ class TissueTree {
   std::vector<float> volumes_;                 ///< by leaf, mm³
   std::vector<std::uint8_t> isAtFace_;         ///< by leaf: whether it touches a face of the volume
   std::vector<std::uint32_t> firstNeighbour_;  ///< by leaf, and one more: where its neighbours begin
-  std::vector<Neighbour> neighbours_;
+  std::vector<std::uint32_t> neighbours_;
   std::vector<std::uint32_t> parents_;  ///< by node, leaves first; a parent comes after its children; none: the last
   std::vector<float> heights_;          ///< by node: cost of its merge, not less than its children's; 0 for leaves
 };

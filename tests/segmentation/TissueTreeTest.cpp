@@ -47,7 +47,7 @@ double bestDice(const std::vector<Level>& joins, const Grid& grid, InsideAt insi
 }
 
 std::vector<Level> joinsFrom(const TissueTree& tree, const Volume& volume, glm::ivec3 seed) {
-  return tree.joinsOf(volume, std::span(&seed, 1));
+  return tree.joinsOf(volume, seed);
 }
 
 glm::dvec3 worldOf(const Grid& grid, glm::ivec3 index) {
@@ -131,10 +131,6 @@ TEST(TissueTree, SmallPocketsBelongToWhatEnclosesThem) {
   const auto marrow = shellAround(9.0);  // a fifth of the ball
   const auto bone = TissueTree::build(*marrow);
   EXPECT_GT(bestDice(joinsFrom(*bone, *marrow, inShell), marrow->grid, filled), 0.97);
-  // With a seed of its own it stays open.
-  const glm::ivec3 inPocket(centre);
-  const std::vector<Level> open = bone->joinsOf(*marrow, std::span(&inShell, 1), std::span(&inPocket, 1));
-  EXPECT_GT(bestDice(open, marrow->grid, [&](glm::ivec3 at) { return filled(at) && !inBall(at, centre, 9.0); }), 0.95);
   // From within, the pocket is a tissue of its own.
   const auto hollow = [&](glm::ivec3 at) { return inBall(at, centre, 9.0); };
   EXPECT_GT(bestDice(joinsFrom(*bone, *marrow, glm::ivec3(centre)), marrow->grid, hollow), 0.95);
@@ -143,35 +139,6 @@ TEST(TissueTree, SmallPocketsBelongToWhatEnclosesThem) {
   const auto wall = [&](glm::ivec3 at) { return filled(at) && !inBall(at, centre, 11.5); };
   const std::vector<Level> joins = joinsFrom(*TissueTree::build(*thin), *thin, inShell);
   EXPECT_GT(bestDice(joins, thin->grid, wall), 0.9);
-}
-
-TEST(TissueTree, ASeedOutsideTakesItsOwnAlone) {
-  const auto volume = touchingBalls();
-  const auto tree = TissueTree::build(*volume);
-  const glm::ivec3 inside(left), outside(right);
-  const std::vector<std::uint8_t> taken = tree->takenBy(*volume, std::span(&inside, 1), std::span(&outside, 1));
-  double lost = 0.0, kept = 0.0, leftVoxels = 0.0, rightVoxels = 0.0;
-  tests::forEachVoxel(volume->grid.dims, [&](glm::ivec3 at) {
-    if (!inEither(at)) return;
-    const bool isTaken = taken[volume->grid.offset(at)];
-    (inLeft(at) ? leftVoxels : rightVoxels) += 1.0;
-    if (inLeft(at))
-      lost += isTaken;
-    else
-      kept += !isTaken;
-  });
-  EXPECT_LT(lost / leftVoxels, 0.05);
-  EXPECT_LT(kept / rightVoxels, 0.05);
-}
-
-TEST(TissueTree, SeedsOfBothKindsInOneLeafPartItHalfWay) {
-  const auto volume = volumeOf<float>(gridOf(glm::ivec3(21, 9, 9)), [](glm::ivec3) { return 7.0; });
-  const auto tree = TissueTree::build(*volume);
-  const glm::ivec3 inside(2, 4, 4), outside(16, 4, 4);
-  const std::vector<std::uint8_t> taken = tree->takenBy(*volume, std::span(&inside, 1), std::span(&outside, 1));
-  tests::forEachVoxel(volume->grid.dims, [&](glm::ivec3 at) {
-    ASSERT_EQ(taken[volume->grid.offset(at)], at.x > 9) << at.x;  // the middle stays
-  });
 }
 
 TEST(TissueTree, CellsOfSeveralVoxelsKeepTheVoxelsEdges) {
@@ -229,6 +196,21 @@ TEST(RegionByTissues, SeedsChangeNothingElse) {
   const Growth again = *growRegion(*volume, settings, whole, {}, tree);
   EXPECT_EQ(again.curve.automatic, one.curve.automatic);
   EXPECT_NEAR(opened(again), opened(one), 0.05 * opened(one));
+}
+
+TEST(RegionByTissues, ASeedAtTheSurfaceAddsALayerAtMost) {
+  const auto volume = touchingBalls();
+  const VoxelBox whole = wholeOf(volume->grid.dims);
+  const auto tree = TissueTree::build(*volume);
+  RegionFocus settings = byTissues(*volume, glm::ivec3(left));
+  const Growth one = *growRegion(*volume, settings, whole, {}, tree);
+  const auto opened = [](const Growth& growth) {
+    return growth.curve.volume[static_cast<std::size_t>(growth.curve.automatic)];
+  };
+  // Two voxels beside the ball, in what surrounds it and is far larger.
+  settings.inside.push_back(worldOf(volume->grid, glm::ivec3(left) - glm::ivec3(static_cast<int>(radius) + 2, 0, 0)));
+  const Growth two = *growRegion(*volume, settings, whole, {}, tree);
+  EXPECT_LT(opened(two), 1.3 * opened(one));
 }
 
 TEST(RegionByTissues, NoiseAboveTheContrastHidesNoBorder) {

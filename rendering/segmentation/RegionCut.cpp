@@ -1,0 +1,251 @@
+#include "rendering/segmentation/RegionCut.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include <boost/graph/boykov_kolmogorov_max_flow.hpp>
+#include <boost/graph/compressed_sparse_row_graph.hpp>
+
+#include "rendering/segmentation/Morphology.h"
+#include "rendering/segmentation/VoxelBox.h"
+
+namespace fenestra::segmentation {
+namespace {
+
+constexpr double mostCells = 60000.0;  ///< of a region: a cut of more takes longer than a click may
+constexpr double largestClaim = 25.0;  ///< mm
+constexpr float alwaysHeld = 0.02f;    ///< what a contact across the greatest difference costs, of one without any
+constexpr float claimed = 1e12f;       ///< mm²: no cut passes here
+
+/// A network of nodes 0 … count - 1, a source and a sink.
+class FlowNetwork {
+ public:
+  explicit FlowNetwork(std::uint32_t count) : source_(count), sink_(count + 1) {}
+
+  void connect(std::uint32_t a, std::uint32_t b, float capacity) { links_.push_back({a, b, capacity, capacity}); }
+  void fromSource(std::uint32_t node, float capacity) { links_.push_back({source_, node, capacity, 0.0f}); }
+  void toSink(std::uint32_t node, float capacity) { links_.push_back({node, sink_, capacity, 0.0f}); }
+
+  /// By node: whether it lies behind the cheapest cut; of several such cuts the one nearest to the sink.
+  std::vector<std::uint8_t> behindCut() const {
+    using Graph = boost::compressed_sparse_row_graph<boost::directedS, boost::no_property, boost::no_property,
+                                                     boost::no_property, std::uint32_t, std::uint32_t>;
+    const std::size_t nodes = std::size_t{sink_} + 1;
+    std::vector<std::uint32_t> next(nodes + 1, 0);
+    for (const Link& link : links_)
+      for (const std::uint32_t end : {link.a, link.b}) ++next[end + 1];
+    for (std::size_t node = 0; node < nodes; ++node) next[node + 1] += next[node];
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> edges(2 * links_.size());
+    std::vector<std::uint32_t> opposite(edges.size());
+    std::vector<float> capacities(edges.size()), residuals(edges.size());
+    for (const Link& link : links_) {
+      const std::uint32_t there = next[link.a]++, back = next[link.b]++;
+      edges[there] = {link.a, link.b};
+      edges[back] = {link.b, link.a};
+      opposite[there] = back;
+      opposite[back] = there;
+      capacities[there] = link.there;
+      capacities[back] = link.back;
+    }
+    const Graph graph(boost::edges_are_sorted, edges.begin(), edges.end(), static_cast<std::uint32_t>(nodes));
+    using Edge = boost::graph_traits<Graph>::edge_descriptor;
+    std::vector<Edge> reverse(edges.size()), predecessors(nodes);
+    for (std::uint32_t i = 0; i < edges.size(); ++i) reverse[i] = Edge(edges[opposite[i]].first, opposite[i]);
+    std::vector<boost::default_color_type> colours(nodes);
+    std::vector<std::uint32_t> distances(nodes);
+    const auto ofEdge = boost::get(boost::edge_index, graph);
+    const auto ofNode = boost::get(boost::vertex_index, graph);
+    const auto map = [](auto& values, auto index) { return boost::make_iterator_property_map(values.begin(), index); };
+    boost::boykov_kolmogorov_max_flow(graph, map(capacities, ofEdge), map(residuals, ofEdge), map(reverse, ofEdge),
+                                      map(predecessors, ofNode), map(colours, ofNode), map(distances, ofNode), ofNode,
+                                      source_, sink_);
+    std::vector<std::uint8_t> behind(source_);
+    for (std::size_t node = 0; node < behind.size(); ++node) behind[node] = colours[node] == boost::white_color ? 1 : 0;
+    return behind;
+  }
+
+ private:
+  struct Link {
+    std::uint32_t a, b;
+    float there, back;
+  };
+  std::uint32_t source_, sink_;
+  std::vector<Link> links_;
+};
+
+/// A region as cells of whole voxels, as even in mm as those allow.
+class CutCells {
+ public:
+  CutCells(const Volume& volume, std::span<const Level> joins, int step)
+      : volume_(volume), whole_(wholeOf(volume.grid.dims)), joins_(joins), step_(step) {
+    std::size_t voxels = 0;
+    box_ = {whole_.high, whole_.low};
+    for (std::size_t i = 0; i < joins.size(); ++i)
+      if (joins[i] < step) {
+        const glm::ivec3 at = whole_.at(i);
+        box_ = {glm::min(box_.low, at), glm::max(box_.high, at + 1)};
+        ++voxels;
+      }
+    if (box_.empty()) return;
+    const double side = std::cbrt(static_cast<double>(voxels) * volume.grid.voxelVolume() / mostCells);
+    size_ = glm::max(glm::ivec3(1), glm::ivec3(glm::round(glm::dvec3(side) / volume.grid.spacing)));
+    cells_ = wholeOf((box_.dims() + size_ - 1) / size_);
+    numbers_.assign(cells_.count(), none);
+    forRegion([&](glm::ivec3 voxel) {
+      std::uint32_t& number = numbers_[cellOf(voxel)];
+      if (number == none) {
+        number = static_cast<std::uint32_t>(held_.size());
+        held_.push_back(0);
+      }
+      ++held_[number];
+    });
+  }
+
+  bool holds(glm::ivec3 voxel) const { return whole_.contains(voxel) && joins_[whole_.offset(voxel)] < step_; }
+  std::uint32_t numberOf(glm::ivec3 voxel) const { return numbers_[cellOf(voxel)]; }
+  std::uint32_t count() const { return static_cast<std::uint32_t>(held_.size()); }
+  double volumeOf(std::uint32_t number) const { return held_[number] * volume_.grid.voxelVolume(); }  ///< mm³
+
+  template <class Visit>
+  void forRegion(Visit visit) const {
+    for (std::size_t i = 0; i < box_.count(); ++i)
+      if (const glm::ivec3 voxel = box_.at(i); holds(voxel)) visit(voxel);
+  }
+
+  /// visit(cell, next cell, mm² of their contact times its weight).
+  template <class Visit>
+  void forContacts(double edge, Visit visit) const {
+    const auto unit = static_cast<float>(edge);
+    for (int axis = 0; axis < 3; ++axis) {
+      const auto face = static_cast<float>(volume_.grid.voxelVolume() / volume_.grid.spacing[axis]);
+      std::vector<float> areas(cells_.count(), 0.0f);
+      forRegion([&](glm::ivec3 voxel) {
+        glm::ivec3 next = voxel;
+        ++next[axis];
+        if (!holds(next) || cellOf(next) == cellOf(voxel)) return;
+        const float apart = static_cast<float>(volume_.value(next) - volume_.value(voxel)) / unit;
+        areas[cellOf(voxel)] += face * (alwaysHeld + 1.0f / (1.0f + apart * apart));
+      });
+      for (std::size_t cell = 0; cell < areas.size(); ++cell)
+        if (areas[cell] > 0.0f) {
+          glm::ivec3 next = cells_.at(cell);
+          ++next[axis];
+          visit(numbers_[cell], numbers_[cells_.offset(next)], areas[cell]);
+        }
+    }
+  }
+
+ private:
+  static constexpr std::uint32_t none = UINT32_MAX;
+
+  std::size_t cellOf(glm::ivec3 voxel) const { return cells_.offset((voxel - box_.low) / size_); }
+
+  const Volume& volume_;
+  VoxelBox whole_, box_, cells_;
+  std::span<const Level> joins_;
+  int step_;
+  glm::ivec3 size_{1};                  ///< voxels along the sides of a cell
+  std::vector<std::uint32_t> numbers_;  ///< by cell of the box: its place among those of the region
+  std::vector<std::uint32_t> held_;     ///< by number: voxels of the region
+};
+
+enum class Side : std::uint8_t { None, Inside, Outside };
+
+/// By cell: whose ball holds it. Where balls of both sides meet, the one that it lies deeper in.
+class Claims {
+ public:
+  Claims(const Grid& grid, const CutCells& cells)
+      : grid_(grid),
+        cells_(cells),
+        sides_(cells.count(), Side::None),
+        places_(cells.count(), std::numeric_limits<double>::infinity()) {}
+
+  /// Seeds that do not lie in the region claim nothing; false where that is so of all.
+  bool add(std::span<const glm::ivec3> seeds, Side side) {
+    bool isInRegion = false;
+    for (const glm::ivec3 seed : seeds)
+      if (cells_.holds(seed)) {
+        claim(seed, side);
+        isInRegion = true;
+      }
+    return isInRegion;
+  }
+
+  Side of(std::uint32_t cell) const { return sides_[cell]; }
+
+ private:
+  double lengthOf(glm::ivec3 offset) const {
+    return glm::length(glm::dvec3(grid_.worldFromIndex() * glm::dvec4(glm::dvec3(offset), 0.0)));
+  }
+
+  void claim(glm::ivec3 seed, Side side) {
+    double radius = largestClaim;
+    for (const glm::ivec3 offset : ballOffsets(grid_, largestClaim))
+      if (!cells_.holds(seed + offset)) radius = std::min(radius, lengthOf(offset));
+    for (const glm::ivec3 offset : ballOffsets(grid_, radius)) {
+      const double place = lengthOf(offset) / radius;
+      if (place >= 1.0) continue;
+      const std::uint32_t cell = cells_.numberOf(seed + offset);
+      if (place >= places_[cell]) continue;
+      places_[cell] = place;
+      sides_[cell] = side;
+    }
+  }
+
+  const Grid& grid_;
+  const CutCells& cells_;
+  std::vector<Side> sides_;     ///< by cell
+  std::vector<double> places_;  ///< by cell: its distance from the seed over the ball's radius
+};
+
+/// Takes away what no seed inside is connected with any more, too.
+void takeLoose(const CutCells& cells, const VoxelBox& whole, std::span<const glm::ivec3> inside,
+               std::vector<std::uint8_t>& taken) {
+  std::vector<std::uint8_t> isKept(taken.size(), 0);
+  std::vector<glm::ivec3> kept;
+  const auto keep = [&](glm::ivec3 voxel) {
+    if (!cells.holds(voxel) || taken[whole.offset(voxel)] || isKept[whole.offset(voxel)]) return;
+    isKept[whole.offset(voxel)] = 1;
+    kept.push_back(voxel);
+  };
+  std::ranges::for_each(inside, keep);
+  for (std::size_t i = 0; i < kept.size(); ++i)
+    for (int axis = 0; axis < 3; ++axis)
+      for (const int way : {-1, 1}) {
+        glm::ivec3 next = kept[i];
+        next[axis] += way;
+        keep(next);
+      }
+  cells.forRegion([&](glm::ivec3 voxel) { taken[whole.offset(voxel)] = isKept[whole.offset(voxel)] ? 0 : 1; });
+}
+
+}  // namespace
+
+std::vector<std::uint8_t> cutOff(const Volume& volume, std::span<const Level> joins, int step,
+                                 std::span<const glm::ivec3> inside, std::span<const glm::ivec3> outside,
+                                 const CutCost& cost) {
+  const VoxelBox whole = wholeOf(volume.grid.dims);
+  std::vector<std::uint8_t> taken(joins.size(), 0);
+  const CutCells cells(volume, joins, step);
+  Claims claims(volume.grid, cells);
+  claims.add(inside, Side::Inside);
+  if (!claims.add(outside, Side::Outside)) return taken;
+  FlowNetwork network(cells.count());
+  cells.forContacts(cost.edge, [&](std::uint32_t a, std::uint32_t b, float area) { network.connect(a, b, area); });
+  for (std::uint32_t cell = 0; cell < cells.count(); ++cell) {
+    if (claims.of(cell) == Side::Outside)
+      network.toSink(cell, claimed);
+    else
+      network.fromSource(
+          cell, claims.of(cell) == Side::Inside ? claimed : static_cast<float>(cost.perVolume * cells.volumeOf(cell)));
+  }
+  const std::vector<std::uint8_t> behind = network.behindCut();
+  cells.forRegion([&](glm::ivec3 voxel) { taken[whole.offset(voxel)] = behind[cells.numberOf(voxel)]; });
+  takeLoose(cells, whole, inside, taken);
+  return taken;
+}
+
+}  // namespace fenestra::segmentation

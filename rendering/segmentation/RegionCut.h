@@ -1,0 +1,32 @@
+#pragma once
+// Parts a region between the seeds that belong to it and those that do not.
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "rendering/segmentation/Levels.h"
+#include "rendering/volume/Volume.h"
+
+namespace fenestra::segmentation {
+
+/// What a cut costs: its area, and the volume that it takes away.
+struct CutCost {
+  /// 1/mm: mm² of cut that a mm³ costs which leaves. It lets seeds outside take little rather than much where the shape
+  /// does not decide.
+  double perVolume = 0.0;
+  /// Real values: the cut is cheaper between voxels that differ, half as dear at this difference. Infinity: the shape
+  /// alone decides.
+  double edge = 0.0;
+};
+
+/// By voxel of the volume: 1 in what the seeds `outside` take away from a region, the voxels with `joins` < `step`; 0
+/// everywhere where none of them lies in the region. The cheapest cut decides (Y. Boykov, M.-P. Jolly: Interactive
+/// graph cuts for optimal boundary & region segmentation of objects in N-D images, ICCV 2001). A seed claims the
+/// largest ball around it that the region holds: one in the middle of a part claims the part's body, one at the
+/// surface a spot. What the cut parts from all seeds `inside` leaves, too.
+std::vector<std::uint8_t> cutOff(const Volume& volume, std::span<const Level> joins, int step,
+                                 std::span<const glm::ivec3> inside, std::span<const glm::ivec3> outside,
+                                 const CutCost& cost);
+
+}  // namespace fenestra::segmentation

@@ -1,0 +1,154 @@
+#include "rendering/segmentation/RegionCut.h"
+
+#include <limits>
+
+#include <gtest/gtest.h>
+
+#include "tests/support/Scenes.h"
+
+namespace fenestra::segmentation {
+namespace {
+
+using tests::gridOf;
+using tests::volumeOf;
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr int step = 5;
+
+bool inBall(glm::ivec3 at, glm::dvec3 centre, double radius) { return glm::length(glm::dvec3(at) - centre) <= radius; }
+
+/// The levels of a region that joins at level 0.
+template <class IsIn>
+std::vector<Level> regionOf(const Grid& grid, IsIn isIn) {
+  std::vector<Level> joins(grid.voxelCount(), never);
+  tests::forEachVoxel(grid.dims, [&](glm::ivec3 at) {
+    if (isIn(at)) joins[grid.offset(at)] = 0;
+  });
+  return joins;
+}
+
+/// Shares of the voxels that `isWanted` which are taken, and of the others.
+struct Shares {
+  double wanted = 0.0, others = 0.0;
+};
+template <class IsWanted>
+Shares sharesOf(const std::vector<std::uint8_t>& taken, const std::vector<Level>& joins, const Grid& grid,
+                IsWanted isWanted) {
+  double counts[2] = {0.0, 0.0}, sums[2] = {0.0, 0.0};
+  tests::forEachVoxel(grid.dims, [&](glm::ivec3 at) {
+    const std::size_t i = grid.offset(at), side = isWanted(at) ? 1 : 0;
+    if (joins[i] >= step) {
+      EXPECT_EQ(taken[i], 0);
+      return;
+    }
+    ++counts[side];
+    sums[side] += taken[i];
+  });
+  return {sums[1] / counts[1], sums[0] / counts[0]};
+}
+
+const glm::dvec3 left(16.0), right(40.0, 16.0, 16.0);
+const Grid twoBalls = gridOf({57, 33, 33});
+bool inLeft(glm::ivec3 at) { return inBall(at, left, 13.0) && at.x <= 28; }
+bool inEither(glm::ivec3 at) { return inLeft(at) || inBall(at, right, 13.0); }
+std::shared_ptr<Volume> evenVolume(const Grid& grid) {
+  return volumeOf<float>(grid, [](glm::ivec3) { return 7.0; });
+}
+
+TEST(RegionCut, ASeedInTheMiddleOfAPartTakesThePart) {
+  const auto volume = evenVolume(twoBalls);
+  const std::vector<Level> joins = regionOf(twoBalls, inEither);
+  const glm::ivec3 inside(left), outside(right);
+  const auto taken = cutOff(*volume, joins, step, std::span(&inside, 1), std::span(&outside, 1),
+                            {.perVolume = 0.03, .edge = infinity});
+  const Shares shares = sharesOf(taken, joins, twoBalls, [](glm::ivec3 at) { return !inLeft(at); });
+  EXPECT_GT(shares.wanted, 0.97);
+  EXPECT_LT(shares.others, 0.03);
+}
+
+TEST(RegionCut, ASeedAtTheSurfaceTakesASpot) {
+  const auto volume = evenVolume(twoBalls);
+  const std::vector<Level> joins = regionOf(twoBalls, inEither);
+  const glm::ivec3 inside(left), outside(51, 16, 16);  // two voxels within the right ball
+  const auto taken = cutOff(*volume, joins, step, std::span(&inside, 1), std::span(&outside, 1),
+                            {.perVolume = 0.03, .edge = infinity});
+  const Shares near = sharesOf(taken, joins, twoBalls, [&](glm::ivec3 at) { return inBall(at, outside, 5.0); });
+  EXPECT_EQ(taken[twoBalls.offset(outside)], 1);
+  EXPECT_EQ(near.others, 0.0);
+}
+
+TEST(RegionCut, TakesLittleWhereTheShapeDoesNotDecide) {
+  // A rod, which is as narrow everywhere: the ball of the seed outside ends at x = 78.
+  const Grid grid = gridOf({101, 9, 9});
+  const auto volume = evenVolume(grid);
+  const std::vector<Level> joins =
+      regionOf(grid, [](glm::ivec3 at) { return at.y > 1 && at.y < 7 && at.z > 1 && at.z < 7; });
+  const glm::ivec3 inside(20, 4, 4), outside(80, 4, 4);
+  const auto taken = cutOff(*volume, joins, step, std::span(&inside, 1), std::span(&outside, 1),
+                            {.perVolume = 0.003, .edge = infinity});
+  for (int x = 0; x < 101; ++x) EXPECT_EQ(taken[grid.offset({x, 4, 4})], x >= 78) << x;
+}
+
+TEST(RegionCut, FollowsEdges) {
+  // A bar of two tissues that meet at x = 20, far nearer to the seed outside's half.
+  const Grid grid = gridOf({61, 17, 17});
+  const auto volume = volumeOf<float>(grid, [](glm::ivec3 at) { return at.x <= 20 ? 0.0 : 100.0; });
+  const std::vector<Level> joins = regionOf(grid, [](glm::ivec3) { return true; });
+  const glm::ivec3 inside(8, 8, 8), outside(50, 8, 8);
+  const auto taken =
+      cutOff(*volume, joins, step, std::span(&inside, 1), std::span(&outside, 1), {.perVolume = 0.001, .edge = 10.0});
+  tests::forEachVoxel(grid.dims, [&](glm::ivec3 at) { ASSERT_EQ(taken[grid.offset(at)], at.x > 20) << at.x; });
+}
+
+TEST(RegionCut, WhatIsPartedFromAllSeedsLeavesToo) {
+  // Three balls in a row: the middle one is taken, and the third hangs on it.
+  const Grid grid = gridOf({81, 33, 33});
+  const auto ball = [](int number) { return glm::dvec3(16.0 + 24.0 * number, 16.0, 16.0); };
+  const auto isIn = [&](glm::ivec3 at) {
+    return inBall(at, ball(0), 13.0) || inBall(at, ball(1), 13.0) || inBall(at, ball(2), 13.0);
+  };
+  const auto volume = evenVolume(grid);
+  const std::vector<Level> joins = regionOf(grid, isIn);
+  const glm::ivec3 inside(ball(0)), outside(ball(1));
+  const auto taken = cutOff(*volume, joins, step, std::span(&inside, 1), std::span(&outside, 1),
+                            {.perVolume = 0.03, .edge = infinity});
+  EXPECT_EQ(taken[grid.offset(glm::ivec3(ball(2)))], 1);
+  EXPECT_EQ(taken[grid.offset(glm::ivec3(ball(0)))], 0);
+  // With a seed of its own it stays.
+  const std::vector<glm::ivec3> both{glm::ivec3(ball(0)), glm::ivec3(ball(2))};
+  const auto fewer = cutOff(*volume, joins, step, both, std::span(&outside, 1), {.perVolume = 0.03, .edge = infinity});
+  EXPECT_EQ(fewer[grid.offset(glm::ivec3(ball(2)))], 0);
+  EXPECT_EQ(fewer[grid.offset(glm::ivec3(ball(1)))], 1);
+}
+
+TEST(RegionCut, SeedsBesideTheRegionTakeNothing) {
+  const auto volume = evenVolume(twoBalls);
+  const std::vector<Level> joins = regionOf(twoBalls, inLeft);
+  const glm::ivec3 inside(left);
+  for (const glm::ivec3 outside : {glm::ivec3(right), glm::ivec3(0)}) {
+    const auto taken =
+        cutOff(*volume, joins, step, std::span(&inside, 1), std::span(&outside, 1), {.perVolume = 0.03, .edge = 1.0});
+    EXPECT_EQ(taken, std::vector<std::uint8_t>(joins.size(), 0));
+  }
+  const std::vector<Level> nothing(joins.size(), never);
+  EXPECT_EQ(cutOff(*volume, nothing, step, std::span(&inside, 1), std::span(&inside, 1), {}),
+            std::vector<std::uint8_t>(joins.size(), 0));
+}
+
+TEST(RegionCut, CoarseCellsFollowTheNeckOfALargeRegion) {
+  // A million voxels in balls that touch in a neck: cells of two and more voxels along each side.
+  const Grid grid = gridOf({190, 110, 110});
+  const glm::dvec3 one(52.0, 55.0, 55.0), other(136.0, 55.0, 55.0);
+  const auto inOne = [&](glm::ivec3 at) { return inBall(at, one, 46.0) && at.x <= 94; };
+  const std::vector<Level> joins = regionOf(grid, [&](glm::ivec3 at) { return inOne(at) || inBall(at, other, 46.0); });
+  const auto volume = evenVolume(grid);
+  const glm::ivec3 inside(one), outside(other);
+  const auto taken = cutOff(*volume, joins, step, std::span(&inside, 1), std::span(&outside, 1),
+                            {.perVolume = 0.01, .edge = infinity});
+  const Shares shares = sharesOf(taken, joins, grid, [&](glm::ivec3 at) { return !inOne(at); });
+  EXPECT_GT(shares.wanted, 0.98);
+  EXPECT_LT(shares.others, 0.02);
+}
+
+}  // namespace
+}  // namespace fenestra::segmentation
