@@ -50,7 +50,7 @@ class Methods : public GlTest {
     gpu->setSchedule(schedule);
     return gpu;
   }
-  static Layers drawn(const Scene& scene, const View& view, Schedule schedule = Schedule::Plain) {
+  static Layers drawn(const Scene& scene, const View& view, Schedule schedule = usualSchedule()) {
     Renderer renderer(gpuWith(schedule));
     renderer.render(scene, view);
     return renderer.readLayers();
@@ -96,7 +96,7 @@ void Methods::expectMatches(const Scene& scene, const View& view) {
   options.slices = view.slices;
   const reference::Picture truth = reference::picture(scene, view.camera, view.size, stages, options);
   const double voxel = finestSpacing(scene.volume->grid);
-  for (const Schedule schedule : {Schedule::Plain, Schedule::Llvmpipe}) {
+  for (const Schedule schedule : pictureSchedules()) {
     SCOPED_TRACE(nameOf(schedule));
     const Layers layers = drawn(scene, view, schedule);
     EXPECT_EQ(layers.tStart.empty(), !hasCutaway(scene)) << "a method that cuts nothing away has no starts";
@@ -321,7 +321,7 @@ TEST_F(Methods, ClearViewMixesThePictureAndTheOpenedOne) {
   // Near: along the body's outline the plain picture has haze too thin to be a surface, before which opened rays do not
   // start.
   const View view = viewOf(from(25, 15, scene).zoomed(3.0), 0.5);
-  for (const Schedule schedule : {Schedule::Plain, Schedule::Llvmpipe}) {
+  for (const Schedule schedule : pictureSchedules()) {
     const Layers plain = drawn(closed, view, schedule);
     for (const double radius : {45.0, 1000.0}) {
       scene.look.method.of<methods::ClearView>().radius = radius;
@@ -347,7 +347,7 @@ TEST_F(Methods, ClearViewMixesThePictureAndTheOpenedOne) {
 
 /// Runs by pass of the last picture of several.
 std::set<std::string> Methods::runsOfLast(const std::vector<Scene>& scenes, const View& view) {
-  Renderer renderer(gpuWith(Schedule::Plain));
+  Renderer renderer(gpuWith(usualSchedule()));
   std::array<PassStats, passCount> before{};
   for (const Scene& scene : scenes) {
     before = renderer.stats();
@@ -451,7 +451,7 @@ TEST_F(Methods, WallsReRunAlone) {
     Scene changed = scene;
     View changedView = view;
     change(changed, changedView);
-    Renderer renderer(gpuWith(Schedule::Plain));
+    Renderer renderer(gpuWith(usualSchedule()));
     renderer.render(scene, view);
     const auto before = renderer.stats();
     renderer.render(changed, changedView);
@@ -497,7 +497,7 @@ TEST_F(Methods, AMethodThatIsNotInUseCostsNothing) {
   unused.of<methods::Selection>() = {.strength = 0.3, .edge = 40.0, .outline = 0.9};
   View other = view;
   other.slices = {scene.volume->grid.centre() + 5.0, WindowLevel{9.0, 8.0}, true};
-  Renderer renderer(gpuWith(Schedule::Plain)), fresh(gpuWith(Schedule::Plain));
+  Renderer renderer(gpuWith(usualSchedule())), fresh(gpuWith(usualSchedule()));
   fresh.render(scene, view);
   for (const Pass pass : {Pass::Cones, Pass::FaintLayer, Pass::Lens, Pass::Walls, Pass::Maximum})
     EXPECT_EQ(fresh.stats()[static_cast<std::size_t>(pass)].runs, 0u) << nameOf(pass);
@@ -516,10 +516,10 @@ TEST_F(Methods, AMethodThatIsNotInUseCostsNothing) {
 }
 
 TEST_F(Methods, ChangesLeaveNothingBehind) {
-  Renderer renderer(gpuWith(Schedule::Plain));
+  Renderer renderer(gpuWith(usualSchedule()));
   const auto expectFresh = [&](const Scene& scene, const View& view, const std::string& what) {
     renderer.render(scene, view);
-    Renderer fresh(gpuWith(Schedule::Plain));
+    Renderer fresh(gpuWith(usualSchedule()));
     fresh.render(scene, view);
     EXPECT_EQ(renderer.readPicture(), fresh.readPicture()) << what;
     EXPECT_EQ(renderer.imageBytes(), fresh.imageBytes()) << what;
