@@ -54,15 +54,20 @@ function(fenestra_library NAME)
   target_link_libraries(${target} PUBLIC ${ARG_PUBLIC} PRIVATE ${ARG_PRIVATE})
   fenestra_own_code(${target})
   if(ARG_FOR_MODULES)
-    set_target_properties(${target} PROPERTIES POSITION_INDEPENDENT_CODE ON)
-    # No other module replaces our functions at load time, so calls among them are as fast as in a program.
-    target_compile_options(${target} PRIVATE -fno-semantic-interposition)
-    fenestra_precompile(${target} Standard.h)
+    fenestra_for_modules(${target})
+    fenestra_precompile(${target} fenestra_modules_standard)
   elseif(ARG_PRECOMPILED)
     fenestra_precompile(${target} ${ARG_PRECOMPILED})
   else()
     fenestra_precompile(${target} fenestra_standard)
   endif()
+endfunction()
+
+# Code that modules link, too.
+function(fenestra_for_modules TARGET)
+  set_target_properties(${TARGET} PROPERTIES POSITION_INDEPENDENT_CODE ON)
+  # No other module replaces our functions at load time, so calls among them are as fast as in a program.
+  target_compile_options(${TARGET} PRIVATE -fno-semantic-interposition)
 endfunction()
 
 # The project's own code: warnings are errors, sanitizers when asked for.
@@ -118,25 +123,26 @@ function(fenestra_test_program NAME)
   endif()
 endfunction()
 
-# fenestra_test(NAME SOURCES... LIBS libs... [PRECOMPILED header] [LABEL label] [EXHAUSTIVE cases...])
+# fenestra_test(NAME SOURCES... LIBS libs... [PRECOMPILED header] [LABEL label] [EXHAUSTIVE cases...] [FIRST suites...])
 # A GoogleTest executable whose suites ctest lists one by one; the cases of a suite share a process, and so an OpenGL
 # context. The cases of EXHAUSTIVE, in the words of GoogleTest's filter, are tests of their own with the label
-# `exhaustive`: `packaging/test` runs them only where it is asked for all.
+# `exhaustive`: `packaging/test` runs them only where it is asked for all. ctest starts the suites of FIRST before all
+# others, in that order: those that take longest, so that no processor waits for one of them at the end.
 function(fenestra_test NAME)
-  cmake_parse_arguments(ARG "" "PRECOMPILED;LABEL" "SOURCES;LIBS;EXHAUSTIVE" ${ARGN})
+  cmake_parse_arguments(ARG "" "PRECOMPILED;LABEL" "SOURCES;LIBS;EXHAUSTIVE;FIRST" ${ARGN})
   fenestra_test_program(${NAME} SOURCES ${ARG_SOURCES} LIBS ${ARG_LIBS} PRECOMPILED ${ARG_PRECOMPILED})
-  fenestra_suites(${NAME} LABELS ${ARG_LABEL} EXHAUSTIVE ${ARG_EXHAUSTIVE})
+  fenestra_suites(${NAME} LABELS ${ARG_LABEL} EXHAUSTIVE ${ARG_EXHAUSTIVE} FIRST ${ARG_FIRST})
 endfunction()
 
 # fenestra_suites(NAME [PREFIX prefix] [LABELS labels...] [ONLY suites...] [EXCEPT suites...] [EXHAUSTIVE cases...]
-#                 [ENVIRONMENT variables...])
+#                 [FIRST suites...] [ENVIRONMENT variables...])
 # One ctest test a suite of an executable, found by running it after each link: PREFIX + SUITE, for all suites or ONLY
 # those named. Answers and compiled shaders are kept in the build folder, not in the user's home.
 function(fenestra_suites NAME)
-  cmake_parse_arguments(ARG "" "PREFIX" "LABELS;ONLY;EXCEPT;EXHAUSTIVE;ENVIRONMENT" ${ARGN})
+  cmake_parse_arguments(ARG "" "PREFIX" "LABELS;ONLY;EXCEPT;EXHAUSTIVE;FIRST;ENVIRONMENT" ${ARGN})
   set(list "${CMAKE_CURRENT_BINARY_DIR}/${ARG_PREFIX}${NAME}_suites.cmake")
   set(parameters "-DPROGRAM=$<TARGET_FILE:${NAME}>" "-DLIST=${list}" "-DPREFIX=${ARG_PREFIX}")
-  foreach(part LABELS ONLY EXCEPT EXHAUSTIVE)
+  foreach(part LABELS ONLY EXCEPT EXHAUSTIVE FIRST)
     list(JOIN ARG_${part} ":" joined)
     list(APPEND parameters "-D${part}=${joined}")
   endforeach()

@@ -1,5 +1,5 @@
 # Writes LIST, a ctest file with a test for each suite of the GoogleTest program PROGRAM. Run by fenestra_suites, whose
-# parameters PREFIX, LABELS, ONLY, EXCEPT, EXHAUSTIVE (joined by ':') and ENVIRONMENT (by '|') are.
+# parameters PREFIX, LABELS, ONLY, EXCEPT, EXHAUSTIVE, FIRST (joined by ':') and ENVIRONMENT (by '|') are.
 
 cmake_minimum_required(VERSION 3.25)
 
@@ -24,17 +24,18 @@ function(list_cases OUT FILTER)
 endfunction()
 
 set(text "")
-# add(NAME FILTER LABELS...): a test of the cases that the filter lets pass. The limit, in seconds, ends what hangs: compiling
-# every shader takes some 15 minutes on two slow cores that do other work, too.
+# add(NAME FILTER LABELS...): a test of the cases that the filter lets pass, at the cost of SUITE. The limit, in seconds,
+# ends what hangs: compiling every shader takes some 15 minutes on two slow cores that do other work, too.
 macro(add NAME FILTER)
   string(APPEND text "add_test([==[${NAME}]==] [==[${PROGRAM}]==] [==[--gtest_filter=${FILTER}]==])\n"
-    "set_tests_properties([==[${NAME}]==] PROPERTIES TIMEOUT 1800 ENVIRONMENT \"${environment}\" LABELS \"${ARGN}\")\n")
+    "set_tests_properties([==[${NAME}]==] PROPERTIES TIMEOUT 1800 COST ${cost} ENVIRONMENT \"${environment}\" LABELS \"${ARGN}\")\n")
 endmacro()
 
 string(REPLACE "|" ";" environment "${ENVIRONMENT}")
 string(REPLACE ":" ";" only "${ONLY}")
 string(REPLACE ":" ";" except "${EXCEPT}")
 string(REPLACE ":" ";" labels "${LABELS}")
+string(REPLACE ":" ";" first "${FIRST}")
 list_cases(cases "*")
 set(left_out "")
 if(EXHAUSTIVE)
@@ -49,6 +50,11 @@ foreach(suite IN LISTS suites)
     continue()
   endif()
   string(REPLACE "/" "_" name "${PREFIX}${suite}")
+  set(cost 0)  # ctest's own: what it took in the run before
+  list(FIND first "${plain}" place)
+  if(NOT place EQUAL -1)
+    math(EXPR cost "200 - 10 * ${place}")
+  endif()
   set(own "${left_out}")
   list(FILTER own INCLUDE REGEX "^${suite}[.]")
   list(JOIN own ":" filter)

@@ -15,7 +15,7 @@ constexpr glm::ivec2 size{96, 84};
 
 using EdgesTest = GlTest;
 
-Layers drawn(const Scene& scene, const View& view, Schedule schedule = Schedule::Llvmpipe) {
+Layers drawn(const Scene& scene, const View& view, Schedule schedule = usualSchedule()) {
   const auto gpu = std::make_shared<GpuScene>();
   gpu->setSchedule(schedule);
   Renderer renderer(gpu);
@@ -115,7 +115,7 @@ TEST_F(EdgesTest, PicturesAreWithinTheBoundOfTheReferences) {
   for (const Case& each : cases()) {
     const Scene scene = smooth(each.scene);
     const reference::Picture truth = reference::picture(scene, each.view);
-    for (const Schedule schedule : {Schedule::Plain, Schedule::Llvmpipe}) {
+    for (const Schedule schedule : pictureSchedules()) {
       SCOPED_TRACE(each.name + ", " + std::string(nameOf(schedule)));
       const std::vector<double> here = errors(drawn(scene, each.view, schedule).final, truth.final);
       // Where a ray grazes a surface, rounding decides whether it meets it, and one of a pixel's five rays shows

@@ -114,7 +114,7 @@ TEST_F(FaintLabelsTest, BoundsHold) {
         scene.look.focus = focus;
         scene.look.cutaway.enabled = open;
         if (open && !hasCutaway(scene)) continue;
-        for (const Schedule schedule : schedules)
+        for (const Schedule schedule : pictureSchedules())
           for (const double bound : {4.0, 2.0, 1.0, 0.5}) {
             View view{aside(scene), size, 1.0, Quality::High};
             view.maxError = bound;
@@ -132,7 +132,7 @@ TEST_F(FaintLabelsTest, HoldInSplines) {
       scene.look.reconstruction = Reconstruction::Cubic;
       scene.look.focus = focus;
       if (hasCutaway(scene) && !lit) expectStagesMatch(scene, aside(scene), size);
-      for (const Schedule schedule : schedules)
+      for (const Schedule schedule : pictureSchedules())
         for (const double bound : {4.0, 0.5}) {
           View view{aside(scene), size, 1.0, Quality::High};
           view.maxError = bound;
@@ -154,7 +154,7 @@ TEST_F(FaintLabelsTest, BoundsHoldBesideFunctionsOfTheFocusAndClipping) {
     clipping.exempt = {2, 4};
     for (const bool open : {false, true}) {
       scene.look.cutaway.enabled = open;
-      for (const Schedule schedule : schedules)
+      for (const Schedule schedule : pictureSchedules())
         for (const double bound : {4.0, 1.0, 0.5}) {
           View view{aside(scene), size, 1.0, Quality::High};
           view.maxError = bound;
@@ -187,7 +187,7 @@ Scene refined(int n, bool lit) {
 
 TEST_F(FaintLabelsTest, PicturesWithoutABoundAreOfSecondOrder) {
   for (const bool lit : {false, true})
-    for (const Schedule schedule : schedules) {
+    for (const Schedule schedule : pictureSchedules()) {
       const Camera camera = Camera::fromAngles(30.0, 20.0, refined(16, lit).volume->grid);
       std::vector<double> errors;
       for (const int n : {16, 32, 64}) errors.push_back(rmsOf(refined(n, lit), camera, schedule));
@@ -207,7 +207,7 @@ TEST_F(FaintLabelsTest, PicturesWithoutABoundAreNearTheReference) {
       scene.look.cutaway.enabled = false;
       Scene plain = scene;
       plain.look.labels.clear();
-      for (const Schedule schedule : schedules) {
+      for (const Schedule schedule : pictureSchedules()) {
         const double here = rmsOf(scene, aside(scene), schedule), before = rmsOf(plain, aside(plain), schedule);
         // The functions' cuts within these cells may raise the error by a half at most.
         EXPECT_LE(here, 1.5 * before + 0.1) << name << (lit ? ", lit, " : ", unlit, ") << nameOf(schedule);
@@ -226,7 +226,7 @@ TEST_F(FaintLabelsTest, AnEvenMediumFollowsBeersLaw) {
   for (TransferFunction::Node& node : thin.look.context.function.nodes)
     node.properties.extinction = opticalExtinction(0.06, 0.3);
   View view{aside(scene), size, 1.0, Quality::High};
-  for (const Schedule schedule : schedules)
+  for (const Schedule schedule : pictureSchedules())
     for (const std::optional<double> bound : {std::optional<double>(), std::optional(0.5)}) {
       view.maxError = bound;
       const Layers here = drawn(scene, view, schedule), there = drawn(thin, view, schedule);
@@ -299,11 +299,11 @@ TEST_F(FaintLabelsTest, CostNothingWhereThereAreNone) {
   std::set<std::string> sources, before;
   gl::ShaderProgram::listen(
       [&](const gl::ShaderProgram&, std::string_view, const std::string& source) { sources.insert(source); });
-  drawn(whole, {aside(whole), size}, Schedule::Plain);
+  drawn(whole, {aside(whole), size}, usualSchedule());
   before = std::exchange(sources, {});
-  drawn(none, {aside(none), size}, Schedule::Plain);
+  drawn(none, {aside(none), size}, usualSchedule());
   EXPECT_EQ(sources, before);
-  drawn(faint, {aside(faint), size}, Schedule::Plain);
+  drawn(faint, {aside(faint), size}, usualSchedule());
   EXPECT_NE(sources, before);
   gl::ShaderProgram::listen({});
 }

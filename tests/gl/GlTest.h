@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <memory>
 #include <span>
 #include <string>
@@ -72,6 +73,14 @@ inline StageErrors compareMaps(const std::vector<float>& here, const reference::
 }
 
 inline reference::Image widened(const std::vector<float>& values) { return {values.begin(), values.end()}; }
+
+/// The schedules under which whole pictures are compared with the reference: the driver's usual one, or both where
+/// FENESTRA_BOTH_SCHEDULES is set, as the exhaustive tests do. Each pass is compared with the reference under both
+/// (PassTest.h), and ProgramsTest compares the pictures of both with each other.
+inline std::vector<Schedule> pictureSchedules() {
+  if (std::getenv("FENESTRA_BOTH_SCHEDULES")) return {Schedule::Plain, Schedule::Llvmpipe};
+  return {usualSchedule()};
+}
 
 struct Rendered {
   Layers layers;

@@ -68,7 +68,7 @@ class ImportanceLevels : public GlTest {
     gpu->setSchedule(schedule);
     return gpu;
   }
-  static Layers drawn(const Scene& scene, const View& view, Schedule schedule = Schedule::Plain) {
+  static Layers drawn(const Scene& scene, const View& view, Schedule schedule = usualSchedule()) {
     Renderer renderer(gpuWith(schedule));
     renderer.render(scene, view);
     return renderer.readLayers();
@@ -76,7 +76,7 @@ class ImportanceLevels : public GlTest {
   static void expectMatches(const Scene& scene, const View& view);
   /// Names of the passes that run for each picture after the first one.
   static std::vector<std::set<std::string>> runsOf(const std::vector<Scene>& scenes) {
-    Renderer renderer(gpuWith(Schedule::Plain));
+    Renderer renderer(gpuWith(usualSchedule()));
     renderer.render(scenes.front(), viewOf(scenes.front()));
     std::vector<std::set<std::string>> names;
     for (std::size_t i = 1; i < scenes.size(); ++i) {
@@ -112,7 +112,7 @@ void ImportanceLevels::expectMatches(const Scene& scene, const View& view) {
   const reference::Stages stages = reference::geometricStages(scene, view);
   const reference::Picture truth = reference::picture(scene, view.camera, view.size, stages);
   const double voxel = finestSpacing(scene.volume->grid);
-  for (const Schedule schedule : {Schedule::Plain, Schedule::Llvmpipe}) {
+  for (const Schedule schedule : pictureSchedules()) {
     SCOPED_TRACE(nameOf(schedule));
     const Layers layers = drawn(scene, view, schedule);
     const StageErrors starts = compareMaps(layers.tStart, stages.tStart, voxel);
@@ -224,8 +224,8 @@ TEST_F(ImportanceLevels, CostNothingWhereTheFocusIsTheOneLevel) {
     const Scene plain = organs({1, 2}, {}, mode), same = organs({1, 2}, {{1, 2}, {2, 2}, {3, 0}}, mode),
                 levelled = organs({1, 2}, {{2, 1}}, mode);
     const View view = viewOf(plain);
-    const auto gpu = gpuWith(Schedule::Plain);
-    Renderer renderer(gpu), fresh(gpuWith(Schedule::Plain));
+    const auto gpu = gpuWith(usualSchedule());
+    Renderer renderer(gpu), fresh(gpuWith(usualSchedule()));
     fresh.render(plain, view);
     const auto expectPlain = [&](const char* what) {
       EXPECT_EQ(renderer.readPicture(), fresh.readPicture()) << what;
@@ -262,10 +262,10 @@ TEST_F(ImportanceLevels, RunAgainWhatAChangeConcerns) {
 }
 
 TEST_F(ImportanceLevels, ChangesLeaveNothingBehind) {
-  Renderer renderer(gpuWith(Schedule::Plain));
+  Renderer renderer(gpuWith(usualSchedule()));
   const auto expectFresh = [&](const Scene& scene, const View& view, const std::string& what) {
     renderer.render(scene, view);
-    Renderer fresh(gpuWith(Schedule::Plain));
+    Renderer fresh(gpuWith(usualSchedule()));
     fresh.render(scene, view);
     EXPECT_EQ(renderer.readPicture(), fresh.readPicture()) << what;
     EXPECT_EQ(renderer.imageBytes(), fresh.imageBytes()) << what;
@@ -293,7 +293,7 @@ TEST_F(ImportanceLevels, ChangesLeaveNothingBehind) {
 TEST_F(ImportanceLevels, AClickMeetsWhatIsSeen) {
   const Scene scene = organs({1, 2}, {{2, 1}});
   const View view = viewOf(scene);
-  Renderer renderer(gpuWith(Schedule::Plain));
+  Renderer renderer(gpuWith(usualSchedule()));
   renderer.render(scene, view);
   const reference::Stages stages = reference::geometricStages(scene, view);
   Scene plain = scene;

@@ -82,7 +82,7 @@ double errorOf(const Scene& scene, const View& view, Schedule schedule, const re
   return worst;
 }
 
-TEST_F(LabelSmoothingTest, BoundsHoldLitAndUnlitInBothSchedules) {
+TEST_F(LabelSmoothingTest, BoundsHoldLitAndUnlit) {
   const Grid grid = gridOf({18, 17, 16}, glm::dvec3(3.0));
   for (const LabelSmoothing strength : strengths)
     for (const bool lit : {false, true})
@@ -92,7 +92,7 @@ TEST_F(LabelSmoothingTest, BoundsHoldLitAndUnlitInBothSchedules) {
         scene.look.cutaway.enabled = open;
         View view{.camera = aside(grid), .size = {128, 104}};  // more than 10 000 pixels
         const reference::Picture truth = reference::picture(scene, view.camera, view.size);
-        for (const Schedule schedule : {Schedule::Plain, Schedule::Llvmpipe})
+        for (const Schedule schedule : pictureSchedules())
           for (const double bound : {4.0, 2.0, 1.0, 0.5}) {
             view.maxError = bound;
             EXPECT_LE(errorOf(scene, view, schedule, truth), bound)

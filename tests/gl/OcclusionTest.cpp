@@ -115,7 +115,7 @@ std::vector<Case> cases() {
 TEST_F(OcclusionTest, PicturesKeepTheirBounds) {
   for (const Case& each : cases()) {
     std::optional<reference::Picture> truth;
-    for (const Schedule schedule : {Schedule::Plain, Schedule::Llvmpipe}) {
+    for (const Schedule schedule : pictureSchedules()) {
       Renderer renderer(gpuWith(schedule));
       for (const double bound : {4.0, 2.0, 1.0, 0.5}) {
         const View view = within(each.scene, bound);
@@ -134,7 +134,7 @@ TEST_F(OcclusionTest, PicturesKeepTheirBounds) {
 
 TEST_F(OcclusionTest, ParallelRaysKeepTheirBoundsToo) {
   const Scene scene = body();
-  Renderer renderer(gpuWith(Schedule::Plain));
+  Renderer renderer(gpuWith(usualSchedule()));
   const View view = within(scene, 0.5, Projection::Orthographic);
   renderer.render(scene, view);
   EXPECT_LE(errorsOf(scene, view, renderer.readLayers()).back(), 0.5);
@@ -146,7 +146,7 @@ TEST_F(OcclusionTest, AFrozenOpeningIsLitAsTheReferenceHasIt) {
   const Scene scene = body();
   View view = within(scene, 1.0);
   view.frozen = OpeningView{Camera::fromAngles(-10.0, 5.0, scene.volume->grid), {57, 58}, 1.0};
-  for (const Schedule schedule : {Schedule::Plain, Schedule::Llvmpipe}) {
+  for (const Schedule schedule : pictureSchedules()) {
     Renderer renderer(gpuWith(schedule));
     const auto beyond = [&](const Scene& shown) {
       renderer.render(shown, view);
@@ -188,7 +188,7 @@ std::uint64_t runsOf(const Renderer& renderer, Pass pass) {
 TEST_F(OcclusionTest, RunsAgainOnlyWhenWhatItDependsOnChanges) {
   Scene scene = body();
   scene.look.strokes.clear();
-  Renderer renderer(gpuWith(Schedule::Plain));
+  Renderer renderer(gpuWith(usualSchedule()));
   View view = within(scene, 2.0);
   std::uint64_t expected = 0;
   const auto render = [&](bool runs, const char* what) {
@@ -229,11 +229,11 @@ TEST_F(OcclusionTest, RunsAgainOnlyWhenWhatItDependsOnChanges) {
 /// A picture drawn after a change is the one that a fresh renderer draws.
 TEST_F(OcclusionTest, ChangesLeaveNothingBehind) {
   Scene scene = body();
-  Renderer renderer(gpuWith(Schedule::Plain));
+  Renderer renderer(gpuWith(usualSchedule()));
   const auto expectFresh = [&](const Scene& changed, const char* what) {
     const View view = within(changed, 2.0);
     renderer.render(changed, view);
-    Renderer fresh(gpuWith(Schedule::Plain));
+    Renderer fresh(gpuWith(usualSchedule()));
     fresh.render(changed, view);
     EXPECT_EQ(renderer.readPicture(), fresh.readPicture()) << what;
   };
@@ -265,7 +265,7 @@ TEST_F(OcclusionTest, OffItIsInNoProgram) {
   };
   Scene scene = body();
   scene.look.shading.occlusion = scene.look.shading.shadow = 0.0;
-  Renderer renderer(gpuWith(Schedule::Plain));
+  Renderer renderer(gpuWith(usualSchedule()));
   renderer.render(scene, within(scene, 2.0));
   EXPECT_EQ(programs(), 0);
   EXPECT_EQ(with, 0);
@@ -293,7 +293,7 @@ TEST_F(OcclusionTest, APitIsDarkerThanTheGround) {
   const Camera camera =
       lookAt(grid.centre() + glm::dvec3(0.0, 0.0, 300.0), grid.centre(), Projection::Orthographic, 64.0);
   View view{camera, {64, 64}, 1.0, Quality::High};
-  Renderer renderer(gpuWith(Schedule::Plain));
+  Renderer renderer(gpuWith(usualSchedule()));
   const auto brightness = [&](glm::ivec2 pixel) {
     const Layers layers = renderer.readLayers();
     return layers.final[static_cast<std::size_t>(pixel.y * 64 + pixel.x)].x;

@@ -36,7 +36,7 @@ View frozenView(const Camera& camera, const Camera& frozen, glm::ivec2 frozenSiz
   return view;
 }
 
-Layers drawn(const Scene& scene, const View& view, Schedule schedule = Schedule::Plain) {
+Layers drawn(const Scene& scene, const View& view, Schedule schedule = usualSchedule()) {
   const auto gpuScene = std::make_shared<GpuScene>();
   gpuScene->setSchedule(schedule);
   Renderer renderer(gpuScene);
@@ -69,7 +69,7 @@ std::size_t holesIn(const reference::Stages& stages) {
 /// such pixels lie on lines and are held to a few in a thousand. The others keep the picture's bound of 1/255.
 void expectMatches(const Scene& scene, const View& view, double perMille = 4.0) {
   const reference::Picture truth = reference::picture(scene, view);
-  for (const Schedule schedule : {Schedule::Plain, Schedule::Llvmpipe}) {
+  for (const Schedule schedule : pictureSchedules()) {
     const Layers layers = drawn(scene, view, schedule);
     EXPECT_LE(perMilleBeyond(*view.maxError, layers.focusLayer, truth.focusLayer), perMille) << nameOf(schedule);
     EXPECT_LE(perMilleBeyond(*view.maxError, layers.final, truth.final), perMille) << nameOf(schedule);

@@ -1,4 +1,4 @@
-// Splines between the voxels: hits and bounded pictures against the reference's spline, in both schedules, and the
+// Splines between the voxels: hits and bounded pictures against the reference's spline, and the
 // fallback where the device has no room for one.
 
 #include "rendering/reference/Picture.h"
@@ -87,7 +87,7 @@ TEST_F(ReconstructionTest, BoundsHoldLitAndUnlitInBothSchedules) {
       scene.look.shading.enabled = lit;
       View view{.camera = aside(grid), .size = large};
       const reference::Picture truth = reference::picture(scene, view.camera, view.size);
-      for (const Schedule schedule : {Schedule::Plain, Schedule::Llvmpipe})
+      for (const Schedule schedule : pictureSchedules())
         for (const double bound : {4.0, 2.0, 1.0, 0.5}) {
           view.maxError = bound;
           EXPECT_LE(errorOf(scene, view, schedule, truth), bound)
@@ -118,7 +118,7 @@ TEST_F(ReconstructionTest, ThinAxesAndNumbersThatAreNone) {
     scene.look.reconstruction = Reconstruction::Cubic;
     View view{.camera = aside(scene.volume->grid), .size = size};
     view.maxError = 0.5;
-    EXPECT_LE(errorOf(scene, view, Schedule::Plain), 0.5);
+    EXPECT_LE(errorOf(scene, view, usualSchedule()), 0.5);
   }
 }
 

@@ -1,5 +1,5 @@
 // Pictures that are drawn a tile at a time: every stage has the bits of a single run, whichever picture was abandoned
-// half way before. ProgramsTest draws every kind of scene so.
+// half way before. ProgramsTest draws other kinds of scenes so.
 
 #include <random>
 

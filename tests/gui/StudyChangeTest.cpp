@@ -81,10 +81,10 @@ class StudyChange : public Window {
     return all;
   }
 
-  /// What the screen shows of a view: its own pixels, whatever the widget would paint now.
-  Seen onScreen(QWidget* view) {
-    const QPoint at = view->mapToGlobal(QPoint(2, 2));
-    return seenIn(view->screen()->grabWindow(0, at.x(), at.y(), view->width() - 4, view->height() - 4).toImage());
+  /// What the screen shows of the window: its own pixels, whatever the widgets would paint now.
+  QImage onScreen() {
+    const QPoint at = window_->mapToGlobal(QPoint(0, 0));
+    return window_->screen()->grabWindow(0, at.x(), at.y(), window_->width(), window_->height()).toImage();
   }
 
   /// Runs the event loop until all is drawn. At each step the screen shows nothing of A in any view as soon as it shows
@@ -96,13 +96,12 @@ class StudyChange : public Window {
     while (!drawn && time.elapsed() < patience) {
       QCoreApplication::processEvents(QEventLoop::AllEvents, 1);
       if (isOpen_) {
-        for (QWidget* view : allViews())
-          ASSERT_LT(seenIn(picture(view)).red, many) << view->objectName().toStdString() << " would show A";
-        const std::vector<QWidget*> all = allViews();
+        const QImage now = window_->picture(), shown = onScreen();
         bool showsB = false;
         int red = 0;
-        for (QWidget* view : all) {
-          const Seen seen = onScreen(view);
+        for (QWidget* view : allViews()) {
+          ASSERT_LT(seenIn(partOf(now, view)).red, many) << view->objectName().toStdString() << " would show A";
+          const Seen seen = seenIn(partOf(shown, view));
           showsB |= seen.blue > many;
           red = std::max(red, seen.red);
         }

@@ -1,6 +1,7 @@
 // What counts as work that would be lost, how the window asks about it, and how a run ends in order.
 
 #include <csignal>
+#include <fstream>
 #include <thread>
 
 #include <QProcess>
@@ -153,6 +154,14 @@ TEST_F(UnsavedWork, RestoringNamesTheStudyAndKeepsWhatWasNamedAtTheStart) {
   EXPECT_FALSE(window_->notices().texts().join(QLatin1Char('\n')).contains(QStringLiteral("/data/other")));
 }
 
+/// Whether a process has a handler for a signal, by the mask of those that it catches (proc(5)).
+bool handles(qint64 process, int signal) {
+  std::ifstream status("/proc/" + std::to_string(process) + "/status");
+  for (std::string line; std::getline(status, line);)
+    if (line.starts_with("SigCgt:")) return std::stoull(line.substr(7), nullptr, 16) >> (signal - 1) & 1;
+  return false;
+}
+
 /// The program itself, told by the system to end.
 TEST(EndingProgram, EndsInOrderByTheSystemsSignals) {
   for (const int signal : {SIGTERM, SIGINT, SIGHUP}) {
@@ -163,7 +172,8 @@ TEST(EndingProgram, EndsInOrderByTheSystemsSignals) {
     program.setProcessEnvironment(environment);
     program.start(QStringLiteral(FENESTRA_PROGRAM), QStringList());
     ASSERT_TRUE(program.waitForStarted());
-    QTest::qWait(4000);  // until it has begun to handle events
+    // It sets its handlers when the window is shown, before it handles events.
+    ASSERT_TRUE(QTest::qWaitFor([&] { return handles(program.processId(), signal); }, patience));
     ASSERT_EQ(::kill(static_cast<pid_t>(program.processId()), signal), 0);
     ASSERT_TRUE(program.waitForFinished(60000)) << signal;
     EXPECT_EQ(program.exitStatus(), QProcess::NormalExit) << signal;

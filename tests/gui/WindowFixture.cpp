@@ -127,14 +127,13 @@ void Window::wheel(QWidget* widget, int notches, Qt::KeyboardModifiers modifiers
   QApplication::sendEvent(widget, &event);
 }
 
-QImage Window::picture(QWidget* view) {
-  const QImage whole = window_->picture();
-  const double ratio = whole.devicePixelRatio();
+QImage Window::partOf(const QImage& window, QWidget* view) {
+  const double ratio = window.devicePixelRatio();
   constexpr int frame = 2;
   const QRect area =
       QRect(view->mapTo(window_.get(), QPoint(0, 0)), view->size()).adjusted(frame, frame, -frame, -frame);
-  return whole.copy(QRect(QPoint(std::lround(area.x() * ratio), std::lround(area.y() * ratio)),
-                          QSize(std::lround(area.width() * ratio), std::lround(area.height() * ratio))));
+  return window.copy(QRect(QPoint(std::lround(area.x() * ratio), std::lround(area.y() * ratio)),
+                           QSize(std::lround(area.width() * ratio), std::lround(area.height() * ratio))));
 }
 
 std::optional<QPointF> Window::green(QWidget* view) {

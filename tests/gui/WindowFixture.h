@@ -64,7 +64,9 @@ class Window : public testing::Test {
 
   /// The picture of a view in device pixels, without the outermost two device-independent pixels, where a frame marks
   /// the view that has the focus.
-  QImage picture(QWidget* view);
+  QImage picture(QWidget* view) { return partOf(window_->picture(), view); }
+  /// A view's part of a picture of the whole window.
+  QImage partOf(const QImage& window, QWidget* view);
   /// Centre of the green pixels that a view shows, from -1 (left, top) to 1 (right, bottom); empty when there are few.
   /// The corner that names a slice's plane is left out.
   std::optional<QPointF> green(QWidget* view);

@@ -1,0 +1,44 @@
+#pragma once
+// The scenes of SceneKinds.h under both schedules: which programs they link, and whether a schedule, or drawing a tile
+// at a time, changes their pictures. Needs a current context.
+
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "rendering/gl/ShaderProgram.h"
+#include "rendering/gpu/Schedule.h"
+
+namespace fenestra::tests {
+
+struct Linked {
+  std::string path;
+  gl::ProgramResources resources;
+  /// By block, its members and their offsets in bytes.
+  std::map<std::string, std::vector<std::pair<std::string, int>>> blocks;
+};
+
+/// By source, so that each counts once.
+using Programs = std::map<std::string, Linked>;
+
+extern const std::vector<std::string> blockNames;
+
+struct DrawnKinds {
+  Programs programs;                        ///< of all kinds, and of camera placement
+  std::size_t kinds = 0, drawn = 0;         ///< how many there are, and how many are drawn under each schedule
+  std::vector<std::string> tileFaults;      ///< where a picture that is drawn in tiles is not that of one run
+  std::vector<std::string> scheduleFaults;  ///< where the schedules' pictures differ
+};
+
+/// Which kinds are drawn. The programs of the others are linked and not run, and those of the schedule that the driver
+/// does not use are not linked either: a driver takes longer for a program than these small pictures do.
+enum class Chosen {
+  /// So many that each two properties that a kind has together are drawn together: one of some five.
+  CoveringPairs,
+  All
+};
+
+DrawnKinds drawKinds(Chosen chosen);
+
+}  // namespace fenestra::tests
