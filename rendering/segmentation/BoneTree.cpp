@@ -38,21 +38,19 @@ Watershed watershedOf(const VoxelSet& voxels, const std::vector<float>& depths, 
   std::stable_sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) { return depths[a] > depths[b]; });
   Watershed result;
   result.leaves.assign(voxels.size(), none);
+  const Neighbours neighbours(whole);
   std::vector<std::uint32_t> near;
   for (const std::uint32_t number : order) {
-    const glm::ivec3 at = whole.at(voxels.offsets()[number]);
     near.clear();
     std::uint32_t steepest = none;  // the deepest of the neighbours that are deeper
-    const VoxelBox around = VoxelBox{at - 1, at + 2}.clippedTo(whole);
-    for (std::size_t i = 0; i < around.count(); ++i) {
-      const std::size_t offset = whole.offset(around.at(i));
-      if (!voxels.holds(offset)) continue;
+    neighbours.visit(voxels.offsets()[number], [&](glm::ivec3, std::size_t offset) {
+      if (!voxels.holds(offset)) return;
       const std::uint32_t other = voxels.numberOf(offset);
       const std::uint32_t leaf = result.leaves[other];
-      if (leaf == none) continue;
+      if (leaf == none) return;
       if (steepest == none || depths[other] > depths[steepest]) steepest = other;
       if (std::find(near.begin(), near.end(), leaf) == near.end()) near.push_back(leaf);
-    }
+    });
     const auto own = steepest == none ? static_cast<std::uint32_t>(result.peaks.size()) : result.leaves[steepest];
     if (steepest == none) {
       result.peaks.push_back(depths[number]);

@@ -119,7 +119,7 @@ class DepthSpreader {
  public:
   DepthSpreader(const VoxelSet& voxels, const Grid& grid)
       : voxels_(voxels),
-        whole_(wholeOf(grid.dims)),
+        neighbours_(wholeOf(grid.dims)),
         steps_(grid.direction[0] * grid.spacing.x, grid.direction[1] * grid.spacing.y,
                grid.direction[2] * grid.spacing.z),
         perBucket_(voxelSide(grid) / bucketsPerSide),
@@ -143,16 +143,6 @@ class DepthSpreader {
 
   std::size_t bucketOf(float depth) const { return static_cast<std::size_t>(static_cast<double>(depth) / perBucket_); }
 
-  template <class Visit>
-  void forNeighbours(std::uint32_t number, Visit visit) const {
-    const glm::ivec3 at = whole_.at(voxels_.offsets()[number]);
-    for (int z = -1; z <= 1; ++z)
-      for (int y = -1; y <= 1; ++y)
-        for (int x = -1; x <= 1; ++x)
-          if (const glm::ivec3 step(x, y, z); step != glm::ivec3(0) && whole_.contains(at + step))
-            visit(step, whole_.offset(at + step));
-  }
-
   void take(std::uint32_t number, glm::ivec3 way) {
     const auto depth = static_cast<float>(glm::length(steps_ * glm::dvec3(way)));
     if (!(depth < depths_[number])) return;
@@ -164,20 +154,20 @@ class DepthSpreader {
   }
 
   void begin(std::uint32_t number) {
-    forNeighbours(number, [&](glm::ivec3 step, std::size_t offset) {
+    neighbours_.visit(voxels_.offsets()[number], [&](glm::ivec3 step, std::size_t offset) {
       if (!voxels_.holds(offset)) take(number, step);
     });
   }
 
   void passOn(std::uint32_t number) {
     const glm::ivec3 way(ways_[number]);
-    forNeighbours(number, [&](glm::ivec3 step, std::size_t offset) {
+    neighbours_.visit(voxels_.offsets()[number], [&](glm::ivec3 step, std::size_t offset) {
       if (voxels_.holds(offset)) take(voxels_.numberOf(offset), way - step);
     });
   }
 
   const VoxelSet& voxels_;
-  VoxelBox whole_;
+  Neighbours neighbours_;
   glm::dmat3 steps_;
   double perBucket_;  ///< mm
   std::vector<float> depths_;
