@@ -63,8 +63,10 @@ class PlaneFiller {
 
   /// Sets the voxels in holes to 1.
   void run(std::vector<std::uint8_t>& mask) {
+    const std::size_t step = whole_.offset(glm::ivec3(u_ == 0, u_ == 1, u_ == 2));
     for (const std::uint32_t offset : dense_.offsets()) {
-      // Every hole has a voxel behind a dense one.
+      // Every hole has a voxel behind a dense one. Behind most is another one, which is seen without a division.
+      if (offset + step >= states_.size() || dense_.holds(offset + step)) continue;
       glm::ivec3 behind = whole_.at(offset);
       ++behind[u_];
       if (isUnknown(behind) && isHole(behind))
