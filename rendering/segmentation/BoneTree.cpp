@@ -133,34 +133,24 @@ VoxelBox boxOf(const VoxelSet& voxels, const std::vector<std::uint32_t>& leaves,
 }  // namespace
 
 std::shared_ptr<const BoneTree> BoneTree::build(const Volume& volume, const std::function<bool()>& goOn) {
-  std::shared_ptr<BoneTree> tree = unparted(volume);
-  if ((goOn && !goOn()) || !tree->part(goOn)) return nullptr;
-  return tree;
-}
-
-std::shared_ptr<BoneTree> BoneTree::unparted(const Volume& volume) {
   assert(volume.isInHounsfieldUnits() && volume.grid.voxelCount() < UINT32_MAX);
-  auto tree = std::make_shared<BoneTree>();
+  const auto tree = std::make_shared<BoneTree>();
   tree->grid_ = volume.grid;
   tree->voxels_ = boneVoxels(volume);
+  if (goOn && !goOn()) return nullptr;
+  const std::vector<float> depths = depthsOf(tree->voxels_, volume.grid);
+  if (goOn && !goOn()) return nullptr;
+  Watershed watershed = watershedOf(tree->voxels_, depths, wholeOf(volume.grid.dims));
+  if (goOn && !goOn()) return nullptr;
+  NeckMerger merger(watershed, voxelSide(volume.grid));
+  tree->leaves_ = std::move(watershed.leaves);
+  tree->parents_ = std::move(merger.parents);
+  tree->heights_ = std::move(merger.heights);
   return tree;
 }
 
-bool BoneTree::part(const std::function<bool()>& goOn) {
-  if (isParted()) return true;
-  const std::vector<float> depths = depthsOf(voxels_, grid_);
-  if (goOn && !goOn()) return false;
-  Watershed watershed = watershedOf(voxels_, depths, wholeOf(grid_.dims));
-  if (goOn && !goOn()) return false;
-  NeckMerger merger(watershed, voxelSide(grid_));
-  leaves_ = std::move(watershed.leaves);
-  parents_ = std::move(merger.parents);
-  heights_ = std::move(merger.heights);
-  return true;
-}
-
-/// The nearest dense voxel that a closing could reach the seed from.
-std::uint32_t BoneTree::voxelNear(glm::ivec3 seed) const {
+/// The leaf of the nearest dense voxel that a closing could reach the seed from.
+std::uint32_t BoneTree::leafNear(glm::ivec3 seed) const {
   const VoxelBox whole = wholeOf(grid_.dims);
   std::uint32_t nearest = none;
   double least = 0.0;
@@ -168,7 +158,7 @@ std::uint32_t BoneTree::voxelNear(glm::ivec3 seed) const {
     if (!whole.contains(seed + offset) || !voxels_.holds(whole.offset(seed + offset))) continue;
     const double distance = glm::length(glm::dvec3(grid_.worldFromIndex() * glm::dvec4(glm::dvec3(offset), 0.0)));
     if (nearest != none && distance >= least) continue;
-    nearest = voxels_.numberOf(whole.offset(seed + offset));
+    nearest = leaves_[voxels_.numberOf(whole.offset(seed + offset))];
     least = distance;
   }
   return nearest;
@@ -184,10 +174,9 @@ std::vector<Level> BoneTree::leafJoins(std::uint32_t leaf) const {
 
 std::optional<std::vector<Level>> BoneTree::joinsOf(glm::ivec3 seed) const {
   const VoxelBox whole = wholeOf(grid_.dims);
-  const std::uint32_t near = voxelNear(seed);
-  if (near == none) return std::nullopt;
-  assert(isParted());
-  const std::vector<Level> byLeaf = leafJoins(leaves_[near]);
+  const std::uint32_t leaf = leafNear(seed);
+  if (leaf == none) return std::nullopt;
+  const std::vector<Level> byLeaf = leafJoins(leaf);
   const std::vector<glm::ivec3> ball = ballOffsets(grid_, closingRadius * voxelSide(grid_));
   glm::ivec3 reach(0);
   for (const glm::ivec3 offset : ball) reach = glm::max(reach, offset);

@@ -29,20 +29,11 @@ class BoneTree {
   /// `volume` is in Hounsfield units and has fewer than 2³² voxels. `goOn` is asked now and then; null when it returned
   /// false. Takes up to three bytes a voxel while it runs, and some 40 for each dense one. Deterministic.
   static std::shared_ptr<const BoneTree> build(const Volume& volume, const std::function<bool()>& goOn = {});
-  /// The dense voxels alone, which isNear() needs: the parts take several times as long.
-  static std::shared_ptr<BoneTree> unparted(const Volume& volume);
-  /// Finds the parts where they are not known yet. False when `goOn` has returned false.
-  bool part(const std::function<bool()>& goOn);
-
-  /// Whether a bone is so near to a voxel that a region could hold both.
-  bool isNear(glm::ivec3 voxel) const { return voxelNear(voxel) != none; }
-  bool isParted() const { return !leaves_.empty(); }
 
   /// The levels at which voxels join the bone at a seed, which need not be dense itself: that of the least merge which
   /// holds the bone nearest to the seed and the voxel. Regions of all levels are closed with a ball of two voxels, so
   /// that they hold their marrow; what does not hold the seed is no region. Entry i is of voxel i of the volume. Empty
-  /// where no bone holds the seed, which costs next to nothing far from bone. Near one the parts are known. Runs on all
-  /// cores.
+  /// where no bone holds the seed, which costs next to nothing far from bone. Runs on all cores.
   std::optional<std::vector<Level>> joinsOf(glm::ivec3 seed) const;
 
   /// The last step of joinsOf() that crosses no joint: a larger region is several bones.
@@ -56,12 +47,12 @@ class BoneTree {
  private:
   static constexpr std::uint32_t none = UINT32_MAX;
 
-  std::uint32_t voxelNear(glm::ivec3 seed) const;
+  std::uint32_t leafNear(glm::ivec3 seed) const;
   std::vector<Level> leafJoins(std::uint32_t leaf) const;
 
   Grid grid_;
   VoxelSet voxels_;
-  std::vector<std::uint32_t> leaves_;   ///< by voxel of the set; empty until the parts are known
+  std::vector<std::uint32_t> leaves_;   ///< by voxel of the set
   std::vector<std::uint32_t> parents_;  ///< by node, leaves first; a parent comes after its children; none: the last
   std::vector<float> heights_;          ///< by node: cost of its merge, not less than its children's; 0 for leaves
 };

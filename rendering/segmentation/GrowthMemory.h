@@ -30,8 +30,7 @@ class GrowthMemory {
       : held_(std::make_shared<Held>(Held{std::move(tissues), nullptr, nullptr})) {}
 
   std::shared_ptr<const TissueTree>& tissues() const { return held_->tissues; }
-  /// Null without Hounsfield units, too; its parts are known once a seed was near a bone.
-  std::shared_ptr<BoneTree>& bones() const { return held_->bones; }
+  std::shared_ptr<const BoneTree>& bones() const { return held_->bones; }  ///< null without Hounsfield units, too
   std::shared_ptr<const FirstRegion>& first() const { return held_->first; }
   std::size_t bytes() const {
     return (held_->tissues ? held_->tissues->heldBytes() : 0) + (held_->bones ? held_->bones->heldBytes() : 0) +
@@ -41,7 +40,7 @@ class GrowthMemory {
  private:
   struct Held {
     std::shared_ptr<const TissueTree> tissues;
-    std::shared_ptr<BoneTree> bones;
+    std::shared_ptr<const BoneTree> bones;
     std::shared_ptr<const FirstRegion> first;
   };
   std::shared_ptr<Held> held_;

@@ -1,8 +1,6 @@
 #include "rendering/segmentation/MemoryBuild.h"
 
-#include <algorithm>
 #include <chrono>
-#include <utility>
 
 namespace fenestra::segmentation {
 namespace {
@@ -13,9 +11,8 @@ bool hasBones(const Volume& volume) { return volume.isInHounsfieldUnits() && vol
 
 }  // namespace
 
-MemoryBuild::MemoryBuild(const Volume& volume, const GrowthMemory& memory, std::vector<glm::ivec3> seeds)
-    : memory_(memory), seeds_(std::move(seeds)) {
-  if (!memory.tissues() || (memory.bones() ? lacksParts() : hasBones(volume)))
+MemoryBuild::MemoryBuild(const Volume& volume, const GrowthMemory& memory) : memory_(memory) {
+  if (!memory.tissues() || (hasBones(volume) && !memory.bones()))
     built_ = std::async(std::launch::async, [this, &volume] { build(volume); });
 }
 
@@ -27,16 +24,10 @@ bool MemoryBuild::wait(const std::function<bool()>& goOn) {
   return true;
 }
 
-/// Whether a bone near a seed has no parts yet.
-bool MemoryBuild::lacksParts() const {
-  return !memory_.bones()->isParted() &&
-         std::any_of(seeds_.begin(), seeds_.end(), [&](glm::ivec3 seed) { return memory_.bones()->isNear(seed); });
-}
-
 void MemoryBuild::build(const Volume& volume) {
   if (!memory_.tissues()) memory_.tissues() = TissueTree::build(volume, [this](double) { return !stops_; });
-  if (!stops_ && hasBones(volume) && !memory_.bones()) memory_.bones() = BoneTree::unparted(volume);
-  if (!stops_ && memory_.bones() && lacksParts()) memory_.bones()->part([this] { return !stops_; });
+  if (hasBones(volume) && !memory_.bones() && !stops_)
+    memory_.bones() = BoneTree::build(volume, [this] { return !stops_; });
 }
 
 }  // namespace fenestra::segmentation

@@ -63,7 +63,7 @@ class SeedGrower {
     // Before another one is grown: both would take twice the memory.
     if (memory.first() && !isWanted(*memory.first())) memory.first() = nullptr;
     {
-      MemoryBuild build(volume_, memory, {inside.front()});
+      MemoryBuild build(volume_, memory);
       std::shared_ptr<FirstRegion> first;
       if (!memory.first() && !(first = grownByValues({inside.front()}, {}))) return std::nullopt;
       if (!build.wait([this] { return goOn(0.8); }) || !goOn(0.8)) return std::nullopt;
