@@ -118,6 +118,11 @@ class NeckMerger {
   PairQueue queue_;
 };
 
+/// Where a seed can lie around a dense voxel that a closing reaches it from.
+std::vector<glm::ivec3> nearOffsets(const Grid& grid) {
+  return ballOffsets(grid, 2.0 * closingRadius * voxelSide(grid));
+}
+
 /// The box of the voxels that join at all; empty without one.
 VoxelBox boxOf(const VoxelSet& voxels, const std::vector<std::uint32_t>& leaves, const std::vector<Level>& joins,
                const VoxelBox& whole) {
@@ -149,12 +154,16 @@ std::shared_ptr<const BoneTree> BoneTree::build(const Volume& volume, const std:
   return tree;
 }
 
+bool BoneTree::isNear(const Volume& volume, glm::ivec3 seed) {
+  return isNearBone(volume, seed, nearOffsets(volume.grid));
+}
+
 /// The leaf of the nearest dense voxel that a closing could reach the seed from.
 std::uint32_t BoneTree::leafNear(glm::ivec3 seed) const {
   const VoxelBox whole = wholeOf(grid_.dims);
   std::uint32_t nearest = none;
   double least = 0.0;
-  for (const glm::ivec3 offset : ballOffsets(grid_, 2.0 * closingRadius * voxelSide(grid_))) {
+  for (const glm::ivec3 offset : nearOffsets(grid_)) {
     if (!whole.contains(seed + offset) || !voxels_.holds(whole.offset(seed + offset))) continue;
     const double distance = glm::length(glm::dvec3(grid_.worldFromIndex() * glm::dvec4(glm::dvec3(offset), 0.0)));
     if (nearest != none && distance >= least) continue;
