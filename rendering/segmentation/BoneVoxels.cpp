@@ -4,6 +4,7 @@
 #include <cassert>
 #include <cmath>
 #include <limits>
+#include <type_traits>
 #include <unordered_map>
 #include <unordered_set>
 #include <utility>
@@ -259,16 +260,23 @@ bool isNearBone(const Volume& volume, glm::ivec3 voxel, const std::vector<glm::i
 std::vector<Level> boneCosts(const Volume& volume, const Noise& noise) {
   std::vector<Level> costs(volume.grid.voxelCount());
   volume.voxels.visit([&](auto scalars) {
+    using Stored = typename decltype(scalars)::value_type;
+    const auto costOf = [&](Stored stored) {
+      const double value = finiteValue(stored, volume);
+      return value < boneFrom ? levelOf((boneFrom - value) / noise.unit) : Level{0};
+    };
+    // A logarithm a voxel would take longer than all else.
+    std::vector<Level> known;
+    if constexpr (sizeof(Stored) <= 2) {
+      known.resize(std::size_t{1} << 8 * sizeof(Stored));
+      for (std::size_t bits = 0; bits < known.size(); ++bits) known[bits] = costOf(static_cast<Stored>(bits));
+    }
     parallelFor(costs.size(), std::size_t{1} << 16, [&](std::size_t begin, std::size_t end) {
-      // Neighbours are seldom far apart: the logarithm is taken anew for another value alone.
-      double last = boneFrom;
-      Level level = 0;
-      for (std::size_t i = begin; i < end; ++i) {
-        const double value = finiteValue(scalars[i], volume);
-        if (value != last) level = value < boneFrom ? levelOf((boneFrom - value) / noise.unit) : Level{0};
-        last = value;
-        costs[i] = level;
-      }
+      for (std::size_t i = begin; i < end; ++i)
+        if constexpr (sizeof(Stored) <= 2)
+          costs[i] = known[static_cast<std::make_unsigned_t<Stored>>(scalars[i])];
+        else
+          costs[i] = costOf(scalars[i]);
     });
   });
   return costs;

@@ -33,8 +33,11 @@ bool MemoryBuild::lacksBones(const Volume& volume) const {
 }
 
 void MemoryBuild::build(const Volume& volume) {
+  std::future<std::shared_ptr<const BoneTree>> bones;
+  if (lacksBones(volume))
+    bones = std::async(std::launch::async, [&] { return BoneTree::build(volume, [this] { return !stops_; }); });
   if (!memory_.tissues()) memory_.tissues() = TissueTree::build(volume, [this](double) { return !stops_; });
-  if (!stops_ && lacksBones(volume)) memory_.bones() = BoneTree::build(volume, [this] { return !stops_; });
+  if (bones.valid()) memory_.bones() = bones.get();
 }
 
 }  // namespace fenestra::segmentation
