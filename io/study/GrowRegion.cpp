@@ -38,11 +38,12 @@ void checkReach(const Grid& grid, const RegionFocus& region, const std::string& 
 }  // namespace
 
 std::shared_ptr<const segmentation::Growth> growRegion(const Volume& volume, const RegionFocus& region,
-                                                       const Progress& progress) {
+                                                       const Progress& progress,
+                                                       const segmentation::GrowthMemory& memory) {
   segmentation::Progress onward;
   if (progress) onward = [&](double fraction) { return progress(fraction, "growing the region"); };
   std::optional<segmentation::Growth> growth =
-      segmentation::growRegion(volume, region, segmentation::wholeOf(volume.grid.dims), onward);
+      segmentation::growRegion(volume, region, segmentation::wholeOf(volume.grid.dims), onward, memory);
   if (!growth) throw Cancelled();
   return std::make_shared<const segmentation::Growth>(std::move(*growth));
 }

@@ -9,9 +9,11 @@
 
 namespace fenestra::io {
 
-/// Seeds and balls outside the volume are left out, and the region may come out empty. Throws Cancelled.
+/// Seeds and balls outside the volume are left out, and the region may come out empty. `memory` keeps what corrections
+/// need. Throws Cancelled.
 std::shared_ptr<const segmentation::Growth> growRegion(const Volume& volume, const RegionFocus& region,
-                                                       const Progress& progress = {});
+                                                       const Progress& progress = {},
+                                                       const segmentation::GrowthMemory& memory = {});
 
 /// As growRegion, but throws Error that names `source` where a seed or ball lies outside the volume or no voxel joins.
 std::shared_ptr<const segmentation::Growth> growWholeRegion(const Volume& volume, const RegionFocus& region,

@@ -118,7 +118,7 @@ void growFocus(const StudyRequest& request, Study& study, const Progress& progre
     study.warnings.push_back({Warning::Kind::ChangedData, segmentation::cannotGrow, {request.path}});
     study.scene.look.focus = std::monostate{};
   } else if (isOfSession && request.acceptsAnyRegion) {
-    study.growth = growRegion(volume, *region, progress);
+    study.growth = growRegion(volume, *region, progress, study.memory);
   } else {
     study.growth = growWholeRegion(volume, *region, request.source(), progress);
   }

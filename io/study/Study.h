@@ -21,6 +21,7 @@ enum class PlacedView : std::uint8_t { Best, Dual };
 struct Study : VolumeInfo {
   SetScene scene;                                      ///< as it is set: its focus may be a region
   std::shared_ptr<const segmentation::Growth> growth;  ///< of that region, or null
+  segmentation::GrowthMemory memory;                   ///< for users who can change that region: what it grew from
   segmentation::DrawnScene drawn;                      ///< what pictures show of both
   std::vector<Warning> warnings;                       ///< of volume, labels and focus
 

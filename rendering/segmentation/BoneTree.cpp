@@ -38,21 +38,19 @@ Watershed watershedOf(const VoxelSet& voxels, const std::vector<float>& depths, 
   std::stable_sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) { return depths[a] > depths[b]; });
   Watershed result;
   result.leaves.assign(voxels.size(), none);
+  const Neighbours neighbours(whole);
   std::vector<std::uint32_t> near;
   for (const std::uint32_t number : order) {
-    const glm::ivec3 at = whole.at(voxels.offsets()[number]);
     near.clear();
     std::uint32_t steepest = none;  // the deepest of the neighbours that are deeper
-    const VoxelBox around = VoxelBox{at - 1, at + 2}.clippedTo(whole);
-    for (std::size_t i = 0; i < around.count(); ++i) {
-      const std::size_t offset = whole.offset(around.at(i));
-      if (!voxels.holds(offset)) continue;
+    neighbours.visit(voxels.offsets()[number], [&](glm::ivec3, std::size_t offset) {
+      if (!voxels.holds(offset)) return;
       const std::uint32_t other = voxels.numberOf(offset);
       const std::uint32_t leaf = result.leaves[other];
-      if (leaf == none) continue;
+      if (leaf == none) return;
       if (steepest == none || depths[other] > depths[steepest]) steepest = other;
       if (std::find(near.begin(), near.end(), leaf) == near.end()) near.push_back(leaf);
-    }
+    });
     const auto own = steepest == none ? static_cast<std::uint32_t>(result.peaks.size()) : result.leaves[steepest];
     if (steepest == none) {
       result.peaks.push_back(depths[number]);
@@ -120,6 +118,11 @@ class NeckMerger {
   PairQueue queue_;
 };
 
+/// Where a seed can lie around a dense voxel that a closing reaches it from.
+std::vector<glm::ivec3> nearOffsets(const Grid& grid) {
+  return ballOffsets(grid, 2.0 * closingRadius * voxelSide(grid));
+}
+
 /// The box of the voxels that join at all; empty without one.
 VoxelBox boxOf(const VoxelSet& voxels, const std::vector<std::uint32_t>& leaves, const std::vector<Level>& joins,
                const VoxelBox& whole) {
@@ -151,12 +154,16 @@ std::shared_ptr<const BoneTree> BoneTree::build(const Volume& volume, const std:
   return tree;
 }
 
+bool BoneTree::isNear(const Volume& volume, glm::ivec3 seed) {
+  return isNearBone(volume, seed, nearOffsets(volume.grid));
+}
+
 /// The leaf of the nearest dense voxel that a closing could reach the seed from.
 std::uint32_t BoneTree::leafNear(glm::ivec3 seed) const {
   const VoxelBox whole = wholeOf(grid_.dims);
   std::uint32_t nearest = none;
   double least = 0.0;
-  for (const glm::ivec3 offset : ballOffsets(grid_, 2.0 * closingRadius * voxelSide(grid_))) {
+  for (const glm::ivec3 offset : nearOffsets(grid_)) {
     if (!whole.contains(seed + offset) || !voxels_.holds(whole.offset(seed + offset))) continue;
     const double distance = glm::length(glm::dvec3(grid_.worldFromIndex() * glm::dvec4(glm::dvec3(offset), 0.0)));
     if (nearest != none && distance >= least) continue;

@@ -30,6 +30,9 @@ class BoneTree {
   /// false. Takes up to three bytes a voxel while it runs, and some 40 for each dense one. Deterministic.
   static std::shared_ptr<const BoneTree> build(const Volume& volume, const std::function<bool()>& goOn = {});
 
+  /// Whether joinsOf() could find a bone at a seed. Needs no tree, and little time.
+  static bool isNear(const Volume& volume, glm::ivec3 seed);
+
   /// The levels at which voxels join the bone at a seed, which need not be dense itself: that of the least merge which
   /// holds the bone nearest to the seed and the voxel. Regions of all levels are closed with a ball of two voxels, so
   /// that they hold their marrow; what does not hold the seed is no region. Entry i is of voxel i of the volume. Empty

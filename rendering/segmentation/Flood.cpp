@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 namespace fenestra::segmentation {
 namespace {
@@ -13,23 +14,29 @@ template <class Index>
 class RunFlooding {
  public:
   explicit RunFlooding(const FloodSource& source)
-      : costs_(source.costs->all().data()), reached_(source.costs->dims()), levels_(reached_.all().data()) {
+      : open_(*source.costs), reached_(source.costs->dims()), levels_(reached_.all().data()) {
     const auto width = static_cast<Index>(source.costs->dims().x + 2);
     const auto slice = static_cast<Index>(width * static_cast<Index>(source.costs->dims().y + 2));
     // Unsigned numbers wrap around: adding one of the last two goes back.
     rows_ = {width, slice, static_cast<Index>(Index{0} - width), static_cast<Index>(Index{0} - slice)};
-    for (const glm::ivec3 seed : source.seeds) wait(static_cast<Index>(reached_.offset(seed)));
+    for (const glm::ivec3 seed : source.seeds) {
+      const auto at = static_cast<Index>(reached_.offset(seed));
+      if (open_.all()[at] != never) wait(open_.all().data(), at);
+    }
   }
 
   void run(int level) {
     level_ = static_cast<Level>(level);
     std::vector<Index>& waiting = waiting_[level_];
-    for (const Index at : waiting) {
-      spreadFrom(at);
+    constexpr std::size_t ahead = 8;
+    for (std::size_t i = 0; i < waiting.size(); ++i) {
+      if (i + ahead < waiting.size()) fetch(waiting[i + ahead]);
+      spreadFrom(waiting[i]);
       while (!joining_.empty()) {
         const Index next = joining_.back();
         joining_.pop_back();
-        if (levels_[next] != never) continue;  // another run has brought it along
+        if (open_.all()[next] == never) continue;  // another run has brought it along
+        open_.all()[next] = never;
         levels_[next] = level_;
         spreadFrom(next);
       }
@@ -41,38 +48,53 @@ class RunFlooding {
 
  private:
   /// Reaches a voxel later, at its own cost.
-  void wait(Index at) {
-    const Level cost = costs_[at];
-    if (levels_[at] != never || cost == never) return;
+  void wait(Level* open, Index at) {
+    const Level cost = std::exchange(open[at], never);
     levels_[at] = cost;
     waiting_[cost].push_back(at);
+  }
+
+  /// Asks for the memory that spreadFrom() reads: rows beside each other are far apart there.
+  void fetch(Index at) const {
+    const Level* const open = open_.all().data();
+    __builtin_prefetch(open + at);
+    for (const Index row : rows_) __builtin_prefetch(open + static_cast<Index>(at + row));
   }
 
   /// From a voxel that is reached at this level, along its row and into the four rows beside it.
   void spreadFrom(Index at) {
     // Bytes that are written may be anything to a compiler: it would read the members again after each.
     Level* const levels = levels_;
-    const Level* const costs = costs_;
+    Level* const open = open_.all().data();
     const Level level = level_;
-    const auto joins = [=](Index i) { return levels[i] == never && costs[i] <= level; };
     Index first = at, last = at;
-    while (joins(first - 1)) levels[--first] = level;
-    while (joins(last + 1)) levels[++last] = level;
-    wait(first - 1);
-    wait(last + 1);
+    while (open[first - 1] <= level) {
+      open[--first] = never;
+      levels[first] = level;
+    }
+    while (open[last + 1] <= level) {
+      open[++last] = never;
+      levels[last] = level;
+    }
+    if (open[first - 1] != never) wait(open, first - 1);
+    if (open[last + 1] != never) wait(open, last + 1);
     for (const Index row : rows_) {
       bool isInRun = false;
       const Index end = last + row + 1;
       for (Index i = first + row; i != end; ++i) {
-        const bool joining = joins(i);
-        if (joining && !isInRun) joining_.push_back(i);
-        if (!joining) wait(i);
+        const Level cost = open[i];
+        const bool joining = cost <= level;
+        if (joining && !isInRun) {
+          joining_.push_back(i);
+          fetch(i);
+        }
+        if (!joining && cost != never) wait(open, i);
         isInRun = joining;
       }
     }
   }
 
-  const Level* costs_;
+  PaddedLevels open_;  ///< costs of what is not reached yet; never: all else
   PaddedLevels reached_;
   Level* levels_;
   std::array<Index, 4> rows_{};

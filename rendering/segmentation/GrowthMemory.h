@@ -31,7 +31,8 @@ class GrowthMemory {
       : held_(std::make_shared<Held>(Held{std::move(tissues), nullptr, nullptr})) {}
 
   std::shared_ptr<const TissueTree>& tissues() const { return held_->tissues; }
-  std::shared_ptr<const BoneTree>& bones() const { return held_->bones; }  ///< null without Hounsfield units, too
+  /// Null where no seed has been near a bone yet, too.
+  std::shared_ptr<const BoneTree>& bones() const { return held_->bones; }
   std::shared_ptr<const FirstRegion>& first() const { return held_->first; }
   std::size_t bytes() const {
     return (held_->tissues ? held_->tissues->heldBytes() : 0) + (held_->bones ? held_->bones->heldBytes() : 0) +

@@ -1,6 +1,8 @@
 #include "rendering/segmentation/MemoryBuild.h"
 
+#include <algorithm>
 #include <chrono>
+#include <utility>
 
 namespace fenestra::segmentation {
 namespace {
@@ -11,8 +13,9 @@ bool hasBones(const Volume& volume) { return volume.isInHounsfieldUnits() && vol
 
 }  // namespace
 
-MemoryBuild::MemoryBuild(const Volume& volume, const GrowthMemory& memory) : memory_(memory) {
-  if (!memory.tissues() || (hasBones(volume) && !memory.bones()))
+MemoryBuild::MemoryBuild(const Volume& volume, const GrowthMemory& memory, std::vector<glm::ivec3> seeds)
+    : memory_(memory), seeds_(std::move(seeds)) {
+  if (!memory.tissues() || lacksBones(volume))
     built_ = std::async(std::launch::async, [this, &volume] { build(volume); });
 }
 
@@ -24,10 +27,17 @@ bool MemoryBuild::wait(const std::function<bool()>& goOn) {
   return true;
 }
 
+bool MemoryBuild::lacksBones(const Volume& volume) const {
+  return hasBones(volume) && !memory_.bones() &&
+         std::any_of(seeds_.begin(), seeds_.end(), [&](glm::ivec3 seed) { return BoneTree::isNear(volume, seed); });
+}
+
 void MemoryBuild::build(const Volume& volume) {
+  std::future<std::shared_ptr<const BoneTree>> bones;
+  if (lacksBones(volume))
+    bones = std::async(std::launch::async, [&] { return BoneTree::build(volume, [this] { return !stops_; }); });
   if (!memory_.tissues()) memory_.tissues() = TissueTree::build(volume, [this](double) { return !stops_; });
-  if (hasBones(volume) && !memory_.bones() && !stops_)
-    memory_.bones() = BoneTree::build(volume, [this] { return !stops_; });
+  if (bones.valid()) memory_.bones() = bones.get();
 }
 
 }  // namespace fenestra::segmentation

@@ -71,7 +71,7 @@ class SeedGrower {
     // Before another one is grown: both would take twice the memory.
     if (memory.first() && !isWanted(*memory.first())) memory.first() = nullptr;
     {
-      MemoryBuild build(volume_, memory);
+      MemoryBuild build(volume_, memory, inside);
       std::shared_ptr<FirstRegion> first;
       if (!memory.first() && !(first = grownByValues({inside.front()}, {}))) return std::nullopt;
       if (!build.wait([this] { return goOn(0.8); }) || !goOn(0.8)) return std::nullopt;
@@ -265,7 +265,9 @@ class SeedGrower {
   std::shared_ptr<const LabelMap> stepsOf(const std::vector<Level>& joins) const {
     const std::shared_ptr<LabelMap> steps = emptySteps(volume_.grid);
     std::uint8_t* all = steps->voxels.as<std::uint8_t>().data();
-    if (box_ != wholeOf(volume_.grid.dims)) std::fill_n(all, volume_.grid.voxelCount(), std::uint8_t{0});
+    if (box_ != wholeOf(volume_.grid.dims))
+      parallelFor(volume_.grid.voxelCount(), std::size_t{1} << 20,
+                  [&](std::size_t begin, std::size_t end) { std::fill(all + begin, all + end, std::uint8_t{0}); });
     forRows(box_.dims(), [&](int y, int z, std::size_t begin) {
       std::uint8_t* to = all + volume_.grid.offset(box_.low + glm::ivec3(0, y, z));
       for (std::size_t x = 0; x < static_cast<std::size_t>(box_.dims().x); ++x)

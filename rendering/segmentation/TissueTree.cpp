@@ -14,32 +14,40 @@ namespace {
 
 /// Cells that share one look at the volume's voxels: their intermediate arrays fit a core's cache.
 constexpr glm::ivec3 tileCells{32, 8, 8};
+glm::ivec3 tilesOf(glm::ivec3 cells) { return (cells + tileCells - 1) / tileCells; }
+
+/// No place in places_: it is not found yet.
+constexpr std::uint8_t unknown = 255;
+
+/// The cells around a cell, itself among them: their places run from 0 to 26.
+glm::ivec3 atPlace(std::uint8_t place) { return glm::ivec3(place % 3, place / 3 % 3, place / 9) - 1; }
 
 /// The leaves of a cell and of those around it.
 class NearLeaves {
  public:
   NearLeaves(const std::vector<std::uint32_t>& leaves, const std::vector<float>& means, const VoxelBox& cells,
-             const VoxelBox& around) {
-    for (int z = around.low.z; z < around.high.z; ++z)
-      for (int y = around.low.y; y < around.high.y; ++y)
-        for (int x = around.low.x; x < around.high.x; ++x) {
-          const std::uint32_t leaf = leaves[cells.offset({x, y, z})];
-          if (std::find(leaves_.begin(), leaves_.begin() + count_, leaf) != leaves_.begin() + count_) continue;
-          leaves_[static_cast<std::size_t>(count_)] = leaf;
-          means_[static_cast<std::size_t>(count_++)] = means[leaf];
-        }
+             glm::ivec3 cell) {
+    for (std::uint8_t place = 0; place < 27; ++place) {
+      if (!cells.contains(cell + atPlace(place))) continue;
+      const std::uint32_t leaf = leaves[cells.offset(cell + atPlace(place))];
+      if (std::find(leaves_.begin(), leaves_.begin() + count_, leaf) != leaves_.begin() + count_) continue;
+      leaves_[static_cast<std::size_t>(count_)] = leaf;
+      places_[static_cast<std::size_t>(count_)] = place;
+      means_[static_cast<std::size_t>(count_++)] = means[leaf];
+    }
   }
 
-  /// By its mean; the first of several.
-  std::uint32_t nearestTo(float tone) const {
+  /// The first place of the one whose mean is nearest; the first of several.
+  std::uint8_t nearestTo(float tone) const {
     std::size_t nearest = 0;
     for (std::size_t i = 1; i < static_cast<std::size_t>(count_); ++i)
       if (std::abs(means_[i] - tone) < std::abs(means_[nearest] - tone)) nearest = i;
-    return leaves_[nearest];
+    return places_[nearest];
   }
 
  private:
   std::array<std::uint32_t, 27> leaves_{};
+  std::array<std::uint8_t, 27> places_{};
   std::array<float, 27> means_{};
   std::ptrdiff_t count_ = 0;
 };
@@ -90,7 +98,9 @@ void TissueTree::setNeighbours(const Tissues& tissues) {
 }
 
 std::size_t TissueTree::heldBytes() const {
-  return leaves_.size() * sizeof(std::uint32_t) + means_.size() * (2 * sizeof(float) + sizeof(std::uint8_t)) +
+  std::size_t places = 0;
+  for (const std::vector<std::uint8_t>& tile : places_) places += tile.size();
+  return places + leaves_.size() * sizeof(std::uint32_t) + means_.size() * (2 * sizeof(float) + sizeof(std::uint8_t)) +
          firstNeighbour_.size() * sizeof(std::uint32_t) + neighbours_.size() * sizeof(std::uint32_t) +
          parents_.size() * (sizeof(std::uint32_t) + sizeof(float));
 }
@@ -166,19 +176,18 @@ void TissueTree::forVoxels(const Volume& volume, AreAlike areAlike, Visit visit)
     return;
   }
   const ToneScale scale(volume, {noiseOf(volume).deviation, noise_.unit}, reference_);
-  const glm::ivec3 tiles = (cells_ + tileCells - 1) / tileCells;
-  parallelFor(wholeOf(tiles).count(), 1, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t t = begin; t < end; ++t) {
-      const glm::ivec3 first = wholeOf(tiles).at(t) * tileCells;
-      forTile(volume, scale, VoxelBox{first, first + tileCells}.clippedTo(wholeOf(cells_)), areAlike, visit);
-    }
+  places_.resize(wholeOf(tilesOf(cells_)).count());
+  parallelFor(places_.size(), 1, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t tile = begin; tile < end; ++tile) forTile(volume, scale, tile, areAlike, visit);
   });
 }
 
 template <class AreAlike, class Visit>
-void TissueTree::forTile(const Volume& volume, const ToneScale& scale, const VoxelBox& tile, AreAlike areAlike,
+void TissueTree::forTile(const Volume& volume, const ToneScale& scale, std::size_t number, AreAlike areAlike,
                          Visit visit) const {
   const VoxelBox cells = wholeOf(cells_), voxels = wholeOf(volume.grid.dims);
+  const glm::ivec3 low = wholeOf(tilesOf(cells_)).at(number) * tileCells;
+  const VoxelBox tile = VoxelBox{low, low + tileCells}.clippedTo(cells);
   const VoxelBox read = VoxelBox{tile.low * cellSize_, tile.high * cellSize_}.clippedTo(voxels);
   const auto allAlike = [&](const VoxelBox& box, std::uint32_t leaf) {
     for (int z = box.low.z; z < box.high.z; ++z)
@@ -198,22 +207,39 @@ void TissueTree::forTile(const Volume& volume, const ToneScale& scale, const Vox
   };
   const std::uint32_t any = leaves_[cells.offset(tile.low)];
   if (allAlike(tile.grownBy(glm::ivec3(1)).clippedTo(cells), any)) return visitAll(read, any);
-  std::vector<float> tones;  // only where a cell of the tile is on a border
+  std::vector<std::uint8_t>& places = places_[number];
+  if (places.empty()) places.assign(read.count(), unknown);
+  std::array<std::ptrdiff_t, 27> away{};
+  for (std::uint8_t place = 0; place < away.size(); ++place) {
+    const glm::ivec3 step = atPlace(place);
+    away[place] = step.x + cells_.x * (step.y + static_cast<std::ptrdiff_t>(cells_.y) * step.z);
+  }
+  std::vector<float> tones;  // only where the places of a cell on a border are unknown
   for (std::size_t c = 0; c < tile.count(); ++c) {
     const glm::ivec3 cell = tile.at(c);
     const std::uint32_t own = leaves_[cells.offset(cell)];
-    const VoxelBox around = VoxelBox{cell - 1, cell + 2}.clippedTo(cells);
     const VoxelBox held = VoxelBox{cell * cellSize_, (cell + 1) * cellSize_}.clippedTo(voxels);
-    if (allAlike(around, own)) {
+    if (allAlike(VoxelBox{cell - 1, cell + 2}.clippedTo(cells), own)) {
       visitAll(held, own);
       continue;
     }
-    if (tones.empty()) tones = smoothedTones(volume, read, scale);
-    const NearLeaves near(leaves_, means_, cells, around);
+    if (places[read.offset(held.low)] == unknown) {
+      if (tones.empty()) tones = smoothedTones(volume, read, scale);
+      const NearLeaves near(leaves_, means_, cells, cell);
+      for (int z = held.low.z; z < held.high.z; ++z)
+        for (int y = held.low.y; y < held.high.y; ++y)
+          for (int x = held.low.x; x < held.high.x; ++x) {
+            const std::size_t at = read.offset({x, y, z});
+            places[at] = near.nearestTo(tones[at]);
+          }
+    }
+    const std::uint32_t* const leaf = leaves_.data() + cells.offset(cell);
     for (int z = held.low.z; z < held.high.z; ++z)
-      for (int y = held.low.y; y < held.high.y; ++y)
-        for (int x = held.low.x; x < held.high.x; ++x)
-          visit(volume.grid.offset({x, y, z}), near.nearestTo(tones[read.offset({x, y, z})]));
+      for (int y = held.low.y; y < held.high.y; ++y) {
+        const std::size_t row = volume.grid.offset({held.low.x, y, z}), at = read.offset({held.low.x, y, z});
+        for (std::size_t x = 0; x < static_cast<std::size_t>(held.dims().x); ++x)
+          visit(row + x, leaf[away[places[at + x]]]);
+      }
   }
 }
 

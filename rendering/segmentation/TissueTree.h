@@ -29,8 +29,8 @@ struct Tissues;
 
 class TissueTree {
  public:
-  /// Takes about 60 bytes a cell while it runs, and some twelve afterwards. `goOn` is asked now and then with the share
-  /// done; null when it returned false. Deterministic.
+  /// Takes about 60 bytes a cell while it runs, some twelve afterwards, and up to one byte a voxel once seeds have
+  /// come. `goOn` is asked now and then with the share done; null when it returned false. Deterministic.
   static std::shared_ptr<const TissueTree> build(const Volume& volume, const std::function<bool(double)>& goOn = {});
 
   /// The levels at which voxels join a region that starts at the voxel `seed`: that of the least merge which holds
@@ -60,8 +60,7 @@ class TissueTree {
   template <class AreAlike, class Visit>
   void forVoxels(const Volume& volume, AreAlike areAlike, Visit visit) const;
   template <class AreAlike, class Visit>
-  void forTile(const Volume& volume, const ToneScale& scale, const VoxelBox& tile, AreAlike areAlike,
-               Visit visit) const;
+  void forTile(const Volume& volume, const ToneScale& scale, std::size_t number, AreAlike areAlike, Visit visit) const;
 
   glm::ivec3 cellSize_{1};  ///< voxels
   glm::ivec3 cells_{0};     ///< cells along each axis
@@ -75,6 +74,9 @@ class TissueTree {
   std::vector<std::uint32_t> neighbours_;
   std::vector<std::uint32_t> parents_;  ///< by node, leaves first; a parent comes after its children; none: the last
   std::vector<float> heights_;          ///< by node: cost of its merge, not less than its children's; 0 for leaves
+  /// By tile of cells, and voxel in it: the place among the cells around its own whose leaf holds it. Found when a tile
+  /// is first asked about, which another seed nearby does again; each tile by one thread.
+  mutable std::vector<std::vector<std::uint8_t>> places_;
 };
 
 }  // namespace fenestra::segmentation

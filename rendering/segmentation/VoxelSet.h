@@ -1,12 +1,15 @@
 #pragma once
-// A set of voxels that can tell their numbers.
+// A set of voxels that can tell their numbers, and who lies beside whom.
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
+
+#include "rendering/segmentation/VoxelBox.h"
 
 namespace fenestra::segmentation {
 
@@ -45,6 +48,36 @@ class VoxelSet {
   std::vector<std::uint64_t> words_;   ///< a bit a voxel
   std::vector<std::uint32_t> before_;  ///< by word: members in the words before it
   std::vector<std::uint32_t> offsets_;
+};
+
+/// The up to 26 neighbours of voxels in a box.
+class Neighbours {
+ public:
+  explicit Neighbours(const VoxelBox& whole) : whole_(whole), inner_(whole.grownBy(glm::ivec3(-1))) {
+    for (int z = -1; z <= 1; ++z)
+      for (int y = -1; y <= 1; ++y)
+        for (int x = -1; x <= 1; ++x)
+          if (const glm::ivec3 step(x, y, z); step != glm::ivec3(0))
+            steps_[count_++] = {step, whole.offset(whole.low + 1 + step) - whole.offset(whole.low + 1)};
+  }
+
+  /// visit(step, offset in the box) in memory order.
+  template <class Visit>
+  void visit(std::size_t offset, Visit visit) const {
+    const glm::ivec3 at = whole_.at(offset);
+    const bool isInner = inner_.contains(at);
+    for (const Step& each : steps_)
+      if (isInner || whole_.contains(at + each.step)) visit(each.step, offset + each.away);
+  }
+
+ private:
+  struct Step {
+    glm::ivec3 step{0};
+    std::size_t away = 0;  ///< wraps around where it goes back
+  };
+  VoxelBox whole_, inner_;
+  std::array<Step, 26> steps_;
+  std::size_t count_ = 0;
 };
 
 }  // namespace fenestra::segmentation

@@ -9,6 +9,7 @@
 #include <QSignalSpy>
 #include <QTest>
 
+#include "io/study/GrowRegion.h"
 #include "viewer/jobs/LabelEditor.h"
 #include "viewer/jobs/RegionGrower.h"
 #include "viewer/model/Document.h"
@@ -305,6 +306,21 @@ TEST_F(Regions, TheTissuesAreFoundOnceAndLiveAsLongAsTheRegion) {
   EXPECT_TRUE(grower_.memory().tissues()) << "found again for a correction";
   document_.open(twoBalls());
   EXPECT_EQ(grower_.memory().bytes(), 0u) << "another study";
+}
+
+TEST_F(Regions, AnOpenedRegionIsCorrectedFromWhatItGrewFrom) {
+  io::Study opened = twoBalls();
+  RegionFocus region{{left}, {}, {}};
+  region.rule = RegionRule::Tissues;
+  opened.scene.look.focus = region;
+  opened.growth = io::growRegion(*opened.scene.volume, region, {}, opened.memory);
+  const std::shared_ptr<const segmentation::FirstRegion> first = opened.memory.first();
+  ASSERT_TRUE(first);
+  document_.open(std::move(opened));
+  EXPECT_TRUE(document_.isWhole());
+  click(right, Qt::ShiftModifier);
+  waitUntilGrown();
+  EXPECT_EQ(grower_.memory().first(), first);
 }
 
 TEST_F(Regions, ABallBoundsTheRegion) {

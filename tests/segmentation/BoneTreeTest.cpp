@@ -1,5 +1,6 @@
 #include "rendering/segmentation/BoneTree.h"
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 
@@ -7,6 +8,7 @@
 
 #include "rendering/segmentation/BoneVoxels.h"
 #include "rendering/segmentation/Mask.h"
+#include "rendering/segmentation/Morphology.h"
 #include "rendering/segmentation/RegionGrowing.h"
 #include "rendering/volume/DistanceTransform.h"
 #include "tests/support/Scenes.h"
@@ -73,6 +75,38 @@ TEST(BoneTree, LargerTolerancesCrossTheJoint) {
 TEST(BoneTree, HoldsNoSeedFarFromBone) {
   const std::shared_ptr<Volume> volume = ctOf(jointGrid, jointValue);
   EXPECT_FALSE(BoneTree::build(*volume)->joinsOf({2, 2, 2}));
+}
+
+TEST(BoneVoxels, WhetherOneIsNearIsKnownWithoutAllOfThem) {
+  const std::shared_ptr<Volume> volume = ctOf(jointGrid, jointValue);
+  const VoxelSet all = boneVoxels(*volume);
+  const VoxelBox whole = wholeOf(jointGrid.dims);
+  const std::vector<glm::ivec3> ball = ballOffsets(jointGrid, 4.0);
+  int near = 0;
+  for (std::size_t i = 0; i < whole.count(); i += 331) {
+    const glm::ivec3 voxel = whole.at(i);
+    const bool expected = std::any_of(ball.begin(), ball.end(), [&](glm::ivec3 offset) {
+      return whole.contains(voxel + offset) && all.holds(whole.offset(voxel + offset));
+    });
+    near += expected ? 1 : 0;
+    EXPECT_EQ(isNearBone(*volume, voxel, ball), expected) << i;
+  }
+  EXPECT_GT(near, 50);
+  EXPECT_TRUE(BoneTree::isNear(*volume, glm::ivec3(left))) << "deep in marrow";
+  EXPECT_FALSE(BoneTree::isNear(*volume, {2, 2, 2}));
+}
+
+TEST(BoneTree, AClickFarFromBoneFindsNone) {
+  const std::shared_ptr<Volume> volume = ctOf(jointGrid, jointValue);
+  const auto bonesAfterClickAt = [&](glm::dvec3 index) {
+    const GrowthMemory memory;
+    const RegionFocus click{
+        {glm::dvec3(jointGrid.worldFromIndex() * glm::dvec4(index, 1.0))}, {}, {}, {}, RegionRule::Tissues};
+    EXPECT_TRUE(growRegion(*volume, click, wholeOf(jointGrid.dims), {}, memory));
+    return memory.bones();
+  };
+  EXPECT_FALSE(bonesAfterClickAt({2.0, 2.0, 2.0}));
+  EXPECT_TRUE(bonesAfterClickAt(left));
 }
 
 TEST(BoneTree, BloodWithContrastAgentIsTooEvenForBone) {

@@ -122,6 +122,17 @@ TEST_F(ReadStudy, ASessionsRegionMayComeOutEmptyForAUserToChange) {
   EXPECT_TRUE(std::holds_alternative<std::monostate>(without.scene.look.focus));
 }
 
+TEST_F(ReadStudy, WhatARegionGrewFromIsKeptForAUserToChangeIt) {
+  io::Session session = io::readStudy(ball()).session;
+  RegionFocus region{{glm::dvec3(20.0)}, {}, {}};
+  region.rule = RegionRule::Tissues;
+  session.look.focus = region;
+  io::StudyRequest request = saved(session);
+  EXPECT_EQ(io::readStudy(request).memory.bytes(), 0u);
+  request.acceptsAnyRegion = true;
+  EXPECT_TRUE(io::readStudy(request).memory.first());
+}
+
 TEST_F(ReadStudy, ProgressRunsForwardAndCancels) {
   io::StudyRequest request = ball();
   request.labels = folder_ / "halves.nrrd";

@@ -48,7 +48,7 @@ segmentation::Progress part(const io::Progress& inside, double begin, double end
 RegionGrower::RegionGrower(Document& document, QObject* parent) : QObject(parent), document_(document) {
   connect(&document, &Document::focusChanged, this, &RegionGrower::follow);
   connect(&document, &Document::volumeChanged, this, [this] {
-    memory_ = {};
+    memory_ = document_.takeMemory();
     follow();
   });
   connect(&job_, &LoadJob::failed, this, [this](const QString& message) {

@@ -94,6 +94,8 @@ class Document : public QObject, private DocumentParts {
     std::shared_ptr<const segmentation::Growth> growth;
     std::shared_ptr<const segmentation::GrowthFacts> facts;
   };
+  /// What the opened region grew from, once.
+  segmentation::GrowthMemory takeMemory() { return std::exchange(study_.memory, {}); }
   /// Sets what grew from `seeds`: the whole, or without facts a first part of it.
   void setGrowth(const RegionFocus& seeds, Growing grown);
   /// The focus becomes the region around a world position, no farther from it than `ball` mm where that is not 0, or
