@@ -283,13 +283,14 @@ TEST_F(Window, NamesWhatIsUnderTheMouse) {
     for (const QLabel* label : window_->statusBar()->findChildren<QLabel*>()) texts << label->text();
     return texts.join(QLatin1Char('|'));
   };
-  // Again until it is told: moves that come close after one another may reach the window as one that leads nowhere.
-  const auto names = [&] {
-    QTest::mouseMove(axial, axial->rect().center() + QPoint(1, 1));
-    QTest::mouseMove(axial, axial->widgetFromWorld(markerCentre).toPoint());
-    return text().contains(QStringLiteral("marker"));
-  };
-  EXPECT_TRUE(QTest::qWaitFor(names, patience)) << text().toStdString();
+  // Sent, not moved: moves of the pointer that come close after one another may reach the window as one.
+  for (const QPointF place :
+       {QPointF(axial->rect().center()) + QPointF(1.0, 1.0), axial->widgetFromWorld(markerCentre)}) {
+    QMouseEvent event(QEvent::MouseMove, place, axial->mapToGlobal(place), Qt::NoButton, Qt::NoButton, {});
+    QApplication::sendEvent(axial, &event);
+  }
+  EXPECT_TRUE(QTest::qWaitFor([&] { return text().contains(QStringLiteral("marker")); }, patience))
+      << text().toStdString();
   EXPECT_TRUE(text().contains(QStringLiteral("900 HU"))) << text().toStdString();
   EXPECT_TRUE(text().contains(QStringLiteral("S 17.0"))) << text().toStdString();
 }
