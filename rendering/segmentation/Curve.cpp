@@ -233,6 +233,7 @@ StructurePrior structurePrior(double body, bool isGas) {
 std::optional<ClearestStep> clearestStep(const GrowthCurve& curve, const StructurePrior& prior, const Grid& grid,
                                          int last) {
   std::optional<ClearestStep> clearest;
+  double chosen = 0.0;  // the clarity of its step
   const double least = leastVoxels * grid.voxelVolume();
   std::size_t changes = curve.volume.size();  // the next step with another region
   for (std::size_t step = curve.volume.size(); step-- > 1;) {
@@ -247,7 +248,12 @@ std::optional<ClearestStep> clearestStep(const GrowthCurve& curve, const Structu
                            std::max(-mostForSize, sizeWeight * std::min(0.0, std::log(volume / prior.usual))) -
                            excessWeight * std::max(0.0, std::log(volume / prior.expected)) -
                            (volume > prior.most ? oversizeCost : 0.0);
-    if (!clearest || clarity >= clearest->clarity) clearest = {static_cast<int>(step), clarity};
+    const bool isSmaller = clearest && volume < curve.volume[static_cast<std::size_t>(clearest->step)];
+    if (!clearest || clarity >= chosen + (isSmaller ? prior.smallerHandicap : 0.0)) {
+      clearest = {static_cast<int>(step), clearest ? clearest->clarity : clarity};
+      chosen = clarity;
+    }
+    clearest->clarity = std::max(clarity, clearest->clarity);
   }
   return clearest;
 }

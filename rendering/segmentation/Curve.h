@@ -45,13 +45,14 @@ struct StructurePrior {
   double limit = std::numeric_limits<double>::infinity();     ///< a larger region is no structure
   double expected = std::numeric_limits<double>::infinity();  ///< a larger region is less likely to be meant
   double contrast = 0.0;                                      ///< noise units: a surface with less is no border
+  double smallerHandicap = 0.0;  ///< a smaller region must be clearer than a larger one by this much
 };
 /// Of a body of `body` mm³. A region of gas may be larger: lungs take up most of what a scan of the chest shows.
 StructurePrior structurePrior(double body, bool isGas);
 
 struct ClearestStep {
   int step = 0;
-  double clarity = 0.0;  ///< a logarithm, comparable between curves of one volume
+  double clarity = 0.0;  ///< of the clearest region at all; a logarithm, comparable between curves of one volume
 };
 /// The step up to `last` whose region is most clearly one structure: its surface is sharp and compact, the tolerance
 /// can rise far until it changes, and its size is a structure's. Empty where no region is one.

@@ -25,6 +25,9 @@ constexpr double tissuesHandicap = 0.25;  ///< of the clarity: a region by tissu
 // a structure's usual size: what a click missed is seldom larger, a leak is. Apart from it, it means a structure of its
 // own, which may be far larger.
 constexpr double mostOfMissed = 0.5, mostOfOther = 10.0, mostAdded = 20.0;
+/// Of the clarity: bones are as thin within as at their joints in places, so that a part of one may be clearer than
+/// all.
+constexpr double boneHandicap = 0.5;
 constexpr double marrowShare = 0.9;    ///< of a region that lies in a bone
 constexpr double leastContrast = 1.0;  ///< deviations of the noise, of a border
 constexpr double loudNoise = 2.0;      ///< differences that the eye tells apart
@@ -111,22 +114,23 @@ class SeedGrower {
   void letOthersCompete(FirstRegion& region, const TissueTree& tissues, const BoneTree* bones) const {
     const StructurePrior prior = priorOf(region, tissues);
     auto clearest = clearestStep(region.curve, prior, volume_.grid);
-    const auto compete = [&](std::vector<Level> joins, std::span<const Level> costs, int last, auto wins) {
+    const auto compete = [&](std::vector<Level> joins, std::span<const Level> costs, const StructurePrior& own,
+                             int last, auto wins) {
       keepToBall(joins);
       GrowthCurve curve = curveOf(joins, costs, region.noise);
-      const auto other = clearestStep(curve, prior, volume_.grid, last);
+      const auto other = clearestStep(curve, own, volume_.grid, last);
       if (!other || !wins(joins, *other)) return false;
       region.curve = std::move(curve);
       region.joins = std::move(joins);
       clearest = other;
       return true;
     };
-    compete(tissues.joinsOf(volume_, region.seed), region.costs, stepCount,
+    compete(tissues.joinsOf(volume_, region.seed), region.costs, prior, stepCount,
             [&](const std::vector<Level>&, const ClearestStep& other) {
               return !clearest || other.clarity > clearest->clarity + tissuesHandicap;
             });
     if (std::optional<std::vector<Level>> bone = bones ? bones->joinsOf(region.seed) : std::nullopt)
-      region.isBone = compete(std::move(*bone), boneCosts(volume_, region.noise), BoneTree::lastStep(),
+      region.isBone = compete(std::move(*bone), boneCosts(volume_, region.noise), ofBone(prior), BoneTree::lastStep(),
                               [&](const std::vector<Level>& joins, const ClearestStep& other) {
                                 return bones->isBone(volume_, joins, other.step) &&
                                        (!clearest || other.clarity > clearest->clarity ||
@@ -169,6 +173,11 @@ class SeedGrower {
     return growthOf(joins, std::move(curve), first.noise, tissues.bodyVolume());
   }
 
+  static StructurePrior ofBone(StructurePrior prior) {
+    prior.smallerHandicap = boneHandicap;
+    return prior;
+  }
+
   StructurePrior priorOf(const FirstRegion& region, const TissueTree& tissues) const {
     StructurePrior prior = structurePrior(tissues.bodyVolume(), isGasAt(region.seed));
     // A border's contrast is a mean over many faces, so that it is seen below the noise of a single voxel.
@@ -209,7 +218,7 @@ class SeedGrower {
     if (std::optional<std::vector<Level>> bone = bones ? bones->joinsOf(seed) : std::nullopt) {
       keepToBall(*bone);
       const GrowthCurve curve = curveOf(*bone, boneCosts(volume_, first.noise), first.noise);
-      const auto other = clearestStep(curve, prior, volume_.grid, BoneTree::lastStep());
+      const auto other = clearestStep(curve, ofBone(prior), volume_.grid, BoneTree::lastStep());
       if (other && bones->isBone(volume_, *bone, other->step) &&
           (first.isBone || !clearest || other->clarity > clearest->clarity)) {
         own = std::move(*bone);

@@ -126,6 +126,21 @@ TEST(ClearestStep, ALargeRegionMustBeClearer) {
   EXPECT_EQ(clearestStep(curve, structurePrior(1e6, true), grid)->step, 60);  // a lung may be as large
 }
 
+TEST(ClearestStep, ASmallerRegionOvercomesItsHandicap) {
+  const Grid grid = tests::gridOf(glm::ivec3(100));
+  StructurePrior prior = structurePrior(1e6, false);
+  // 5e4 mm³ stays for 50 steps, 1e5 for 20.
+  const GrowthCurve curve = madeCurve({{10, 5e4}, {60, 1e5}, {80, 9e5}}, 3.0, 0.8);
+  const auto free = clearestStep(curve, prior, grid);
+  ASSERT_EQ(free->step, 10);
+  prior.smallerHandicap = 10.0;
+  const auto handicapped = clearestStep(curve, prior, grid);
+  EXPECT_EQ(handicapped->step, 60);
+  EXPECT_EQ(handicapped->clarity, free->clarity);  // the clearest one's all the same
+  prior.smallerHandicap = 0.01;
+  EXPECT_EQ(clearestStep(curve, prior, grid)->step, 10);
+}
+
 TEST(ClearestStep, PrefersUsualSizes) {
   const Grid grid = tests::gridOf(glm::ivec3(100));
   StructurePrior prior = structurePrior(1e8, false);  // usual: 20 ml
