@@ -16,9 +16,9 @@ namespace fenestra::segmentation {
 namespace {
 
 constexpr double mostCells = 60000.0;  ///< of a region: a cut of more takes longer than a click may
-constexpr double largestClaim = 25.0;  ///< mm
-constexpr float alwaysHeld = 0.02f;    ///< what a contact across the greatest difference costs, of one without any
-constexpr float claimed = 1e12f;       ///< mm²: no cut passes here
+constexpr double largestClaim = 25.0, largestClaimSides = 40.0;  ///< mm, and voxel sides, whichever is less
+constexpr float alwaysHeld = 0.02f;  ///< what a contact across the greatest difference costs, of one without any
+constexpr float claimed = 1e12f;     ///< mm²: no cut passes here
 
 /// A network of nodes 0 … count - 1, a source and a sink.
 class FlowNetwork {
@@ -127,7 +127,9 @@ class CutCells {
         ++next[axis];
         if (!holds(next) || cellOf(next) == cellOf(voxel)) return;
         const float apart = static_cast<float>(volume_.value(next) - volume_.value(voxel)) / unit;
-        areas[cellOf(voxel)] += face * (alwaysHeld + 1.0f / (1.0f + apart * apart));
+        const float square = apart * apart;  // not a number where a value is none: as far apart as can be
+        areas[cellOf(voxel)] +=
+            face * (alwaysHeld + (square < std::numeric_limits<float>::max() ? 1.0f / (1.0f + square) : 0.0f));
       });
       for (std::size_t cell = 0; cell < areas.size(); ++cell)
         if (areas[cell] > 0.0f) {
@@ -182,8 +184,9 @@ class Claims {
   }
 
   void claim(glm::ivec3 seed, Side side) {
-    double radius = largestClaim;
-    for (const glm::ivec3 offset : ballOffsets(grid_, largestClaim))
+    const double largest = std::min(largestClaim, largestClaimSides * voxelSide(grid_));
+    double radius = largest;
+    for (const glm::ivec3 offset : ballOffsets(grid_, largest))
       if (!cells_.holds(seed + offset)) radius = std::min(radius, lengthOf(offset));
     for (const glm::ivec3 offset : ballOffsets(grid_, radius)) {
       const double place = lengthOf(offset) / radius;

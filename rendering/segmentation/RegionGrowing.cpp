@@ -32,12 +32,14 @@ constexpr double marrowShare = 0.9;    ///< of a region that lies in a bone
 constexpr double leastContrast = 1.0;  ///< deviations of the noise, of a border
 constexpr double loudNoise = 2.0;      ///< differences that the eye tells apart
 constexpr double besideRadius = 4.0;   ///< voxel sides
-constexpr double farthestGap = 30.0;   ///< mm: a seed farther from the region means more than a piece of it
+/// mm, and voxel sides, whichever is less: a seed farther from the region means more than a piece of it.
+constexpr double farthestGap = 30.0, farthestGapSides = 40.0;
 /// Radius of the largest ball that a further seed adds, as a multiple of its distance from the region: one at the
 /// surface means a layer.
 constexpr double gapReach = 3.0;
-constexpr CutCost boneCut{.perVolume = 0.03, .edge = std::numeric_limits<double>::infinity()};
-constexpr double tissueCutPerVolume = 0.01;  ///< CutCost; what is soft has edges to go by
+/// CutCost::perVolume times the side of a cube as large as the body: smaller bodies have smaller structures. What is
+/// soft has edges to go by, bones have their shape alone.
+constexpr double boneCutPerVolume = 9.0, tissueCutPerVolume = 3.0;
 
 /// A label map with a label for each step, whose voxels the caller sets.
 std::shared_ptr<LabelMap> emptySteps(const Grid& grid) {
@@ -162,7 +164,7 @@ class SeedGrower {
     for (const glm::ivec3& seed : std::span(inside).subspan(1))
       addAt(seed, tissues, bones, prior, first, automatic, joins);
     if (!outside.empty()) {
-      const CutCost cost = first.isBone ? boneCut : CutCost{tissueCutPerVolume, first.noise.unit};
+      const CutCost cost = cutCost(first, tissues.bodyVolume());
       const std::vector<std::uint8_t> taken = cutOff(volume_, joins, automatic, inside, outside, cost);
       for (std::size_t i = 0; i < joins.size(); ++i)
         if (taken[i] || joins[i] >= automatic) joins[i] = never;
@@ -171,6 +173,12 @@ class SeedGrower {
     GrowthCurve curve = curveOf(joins, first);
     beginWith(curve, automatic);
     return growthOf(joins, std::move(curve), first.noise, tissues.bodyVolume());
+  }
+
+  static CutCost cutCost(const FirstRegion& first, double bodyVolume) {
+    const double side = std::cbrt(std::max(1.0, bodyVolume));
+    if (first.isBone) return {.perVolume = boneCutPerVolume / side, .edge = std::numeric_limits<double>::infinity()};
+    return {.perVolume = tissueCutPerVolume / side, .edge = first.noise.unit};
   }
 
   static StructurePrior ofBone(StructurePrior prior) {
@@ -204,13 +212,12 @@ class SeedGrower {
   /// around it.
   void addAt(const glm::ivec3& seed, const TissueTree& tissues, const BoneTree* bones, StructurePrior prior,
              const FirstRegion& first, int automatic, std::vector<Level>& joins) const {
-    const double gap = gapTo(seed, joins, automatic);
+    const std::optional<double> gap = gapTo(seed, joins, automatic);
     if (gap == 0.0) return;
-    const bool isBeside = gap <= besideRadius * voxelSide(volume_.grid);
+    const bool isBeside = gap && *gap <= besideRadius * voxelSide(volume_.grid);
     prior.most = std::min(prior.most,
                           std::max((isBeside ? mostOfMissed : mostOfOther) * prior.expected, mostAdded * prior.usual));
-    if (gap < farthestGap)
-      prior.most = std::min(prior.most, 4.0 / 3.0 * std::numbers::pi * std::pow(gapReach * gap, 3.0));
+    if (gap) prior.most = std::min(prior.most, 4.0 / 3.0 * std::numbers::pi * std::pow(gapReach * *gap, 3.0));
     prior.limit = prior.most;
     std::vector<Level> own = tissues.joinsOf(volume_, seed);
     keepToBall(own);
@@ -231,14 +238,16 @@ class SeedGrower {
         joins[i] = std::min(joins[i], static_cast<Level>(std::clamp(own[i] + shift, 0, levelCount - 1)));
   }
 
-  /// mm from a voxel to the region of a step, `farthestGap` at most.
-  double gapTo(glm::ivec3 voxel, const std::vector<Level>& joins, int step) const {
+  /// mm from a voxel to the region of a step; empty where that is farther than a piece of the region would be.
+  std::optional<double> gapTo(glm::ivec3 voxel, const std::vector<Level>& joins, int step) const {
     const VoxelBox whole = wholeOf(volume_.grid.dims);
-    double gap = farthestGap;
-    for (const glm::ivec3 offset : ballOffsets(volume_.grid, farthestGap))
-      if (whole.contains(voxel + offset) && joins[whole.offset(voxel + offset)] < step)
-        gap =
-            std::min(gap, glm::length(glm::dvec3(volume_.grid.worldFromIndex() * glm::dvec4(glm::dvec3(offset), 0.0))));
+    const double farthest = std::min(farthestGap, farthestGapSides * voxelSide(volume_.grid));
+    std::optional<double> gap;
+    for (const glm::ivec3 offset : ballOffsets(volume_.grid, farthest)) {
+      if (!whole.contains(voxel + offset) || joins[whole.offset(voxel + offset)] >= step) continue;
+      const double away = glm::length(glm::dvec3(volume_.grid.worldFromIndex() * glm::dvec4(glm::dvec3(offset), 0.0)));
+      gap = std::min(gap.value_or(away), away);
+    }
     return gap;
   }
 

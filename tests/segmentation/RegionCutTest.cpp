@@ -100,6 +100,19 @@ TEST(RegionCut, FollowsEdges) {
   tests::forEachVoxel(grid.dims, [&](glm::ivec3 at) { ASSERT_EQ(taken[grid.offset(at)], at.x > 20) << at.x; });
 }
 
+TEST(RegionCut, ValuesThatAreNoNumbersStillConnect) {
+  const Grid grid = gridOf({61, 17, 17});
+  const auto volume = volumeOf<float>(grid, [](glm::ivec3 at) {
+    return at.x == 30 ? tests::nan : at.x == 31 ? tests::infinity : 0.0;
+  });
+  const std::vector<Level> joins = regionOf(grid, [](glm::ivec3) { return true; });
+  const glm::ivec3 inside(8, 8, 8), outside(15, 2, 2);
+  const auto taken =
+      cutOff(*volume, joins, step, std::span(&inside, 1), std::span(&outside, 1), {.perVolume = 0.03, .edge = 10.0});
+  EXPECT_EQ(taken[grid.offset(outside)], 1);
+  EXPECT_EQ(taken[grid.offset({60, 8, 8})], 0);  // behind the hole, and still connected with the seed
+}
+
 TEST(RegionCut, WhatIsPartedFromAllSeedsLeavesToo) {
   // Three balls in a row: the middle one is taken, and the third hangs on it.
   const Grid grid = gridOf({81, 33, 33});
