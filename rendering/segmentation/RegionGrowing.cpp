@@ -166,8 +166,12 @@ class SeedGrower {
     if (!outside.empty()) {
       const CutCost cost = cutCost(first, tissues.bodyVolume());
       const std::vector<std::uint8_t> taken = cutOff(volume_, joins, automatic, inside, outside, cost);
+      // A greater tolerance stops before it would reach a seed outside, and adds nothing where one has cut.
+      Level last = never;
+      for (const glm::ivec3& seed : outside)
+        last = std::min(last, std::max(static_cast<Level>(automatic), joins[wholeOf(volume_.grid.dims).offset(seed)]));
       for (std::size_t i = 0; i < joins.size(); ++i)
-        if (taken[i] || joins[i] >= automatic) joins[i] = never;
+        if (taken[i] || joins[i] >= last) joins[i] = never;
     }
     // The tolerance stays: what is added and taken away is all that changes.
     GrowthCurve curve = curveOf(joins, first);

@@ -12,8 +12,8 @@
 // the joints (BoneTree.h), but not in volumes that are very large. Of all regions of the first seed, by values, by
 // tissues and as a bone, the clearest one is chosen (Curve.h); one that is more of the body than a structure is only
 // where nothing else is clear. A further seed adds its own clearest region at the same tolerance, and no larger one
-// than its distance from the region lets expect. Seeds outside cut off their part of the chosen region (RegionCut.h);
-// from then on a greater tolerance adds nothing.
+// than its distance from the region lets expect. Seeds outside cut off their part of the chosen region (RegionCut.h),
+// and no tolerance reaches them.
 
 #include <functional>
 #include <memory>

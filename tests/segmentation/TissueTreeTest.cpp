@@ -196,6 +196,11 @@ TEST(RegionByTissues, SeedsChangeNothingElse) {
   const Growth again = *growRegion(*volume, settings, whole, {}, tree);
   EXPECT_EQ(again.curve.automatic, one.curve.automatic);
   EXPECT_NEAR(opened(again), opened(one), 0.05 * opened(one));
+  // No tolerance reaches it, and none before it is lost.
+  const glm::ivec3 outside = glm::ivec3(small) + glm::ivec3(4, 0, 0);
+  EXPECT_EQ(again.steps->value(outside), 0);
+  const auto reached = static_cast<std::size_t>(one.steps->value(outside));
+  EXPECT_EQ(again.curve.volume[reached - 1], one.curve.volume[reached - 1]);
 }
 
 TEST(RegionByTissues, ASeedAtTheSurfaceAddsALayerAtMost) {
