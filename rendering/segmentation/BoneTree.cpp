@@ -71,17 +71,16 @@ class NeckMerger {
  public:
   NeckMerger(Watershed& watershed, double side)
       : peaks_(watershed.peaks), saddles_(watershed.saddles), slack_(static_cast<float>(0.5 * side)) {
-    parents.assign(peaks_.size(), UINT32_MAX);
-    heights.assign(peaks_.size(), 0.0f);
+    tree.parents.assign(peaks_.size(), MergeTree::none);
+    tree.heights.assign(peaks_.size(), 0.0f);
     for (std::uint32_t a = 0; a < saddles_.size(); ++a)
       for (const auto& [b, saddle] : saddles_[a])
         if (a < b) push(a, b, saddle);
-    while (const std::optional<TissuePair> pair = queue_.pop())
-      if (parents[pair->a] == UINT32_MAX && parents[pair->b] == UINT32_MAX) merge(*pair);
+    while (const std::optional<MergePair> pair = queue_.pop())
+      if (tree.parents[pair->a] == MergeTree::none && tree.parents[pair->b] == MergeTree::none) merge(*pair);
   }
 
-  std::vector<std::uint32_t> parents;  ///< by node
-  std::vector<float> heights;          ///< by node
+  MergeTree tree;
 
  private:
   void push(std::uint32_t a, std::uint32_t b, float saddle) {
@@ -91,11 +90,11 @@ class NeckMerger {
     queue_.push({static_cast<float>(neckUnit) * (1.0f / width - 1.0f), std::min(a, b), std::max(a, b)});
   }
 
-  void merge(const TissuePair& pair) {
-    const auto parent = static_cast<std::uint32_t>(parents.size());
-    parents.push_back(UINT32_MAX);
-    heights.push_back(std::max({pair.cost, heights[pair.a], heights[pair.b]}));
-    parents[pair.a] = parents[pair.b] = parent;
+  void merge(const MergePair& pair) {
+    const auto parent = static_cast<std::uint32_t>(tree.parents.size());
+    tree.parents.push_back(MergeTree::none);
+    tree.heights.push_back(std::max({pair.cost, tree.heights[pair.a], tree.heights[pair.b]}));
+    tree.parents[pair.a] = tree.parents[pair.b] = parent;
     peaks_.push_back(std::max(peaks_[pair.a], peaks_[pair.b]));
     saddles_.emplace_back();
     std::unordered_map<std::uint32_t, float>& both = saddles_.back();
@@ -149,8 +148,7 @@ std::shared_ptr<const BoneTree> BoneTree::build(const Volume& volume, const std:
   if (goOn && !goOn()) return nullptr;
   NeckMerger merger(watershed, voxelSide(volume.grid));
   tree->leaves_ = std::move(watershed.leaves);
-  tree->parents_ = std::move(merger.parents);
-  tree->heights_ = std::move(merger.heights);
+  tree->merges_ = std::move(merger.tree);
   return tree;
 }
 
@@ -173,19 +171,11 @@ std::uint32_t BoneTree::leafNear(glm::ivec3 seed) const {
   return nearest;
 }
 
-std::vector<Level> BoneTree::leafJoins(std::uint32_t leaf) const {
-  std::vector<Level> joins(parents_.size(), never);
-  for (std::uint32_t node = leaf; node != none; node = parents_[node]) joins[node] = levelOf(heights_[node]);
-  for (std::size_t node = parents_.size(); node-- > 0;)
-    if (joins[node] == never && parents_[node] != none) joins[node] = joins[parents_[node]];
-  return joins;
-}
-
 std::optional<std::vector<Level>> BoneTree::joinsOf(glm::ivec3 seed) const {
   const VoxelBox whole = wholeOf(grid_.dims);
   const std::uint32_t leaf = leafNear(seed);
   if (leaf == none) return std::nullopt;
-  const std::vector<Level> byLeaf = leafJoins(leaf);
+  const std::vector<Level> byLeaf = merges_.joinsFrom(leaf);
   const std::vector<glm::ivec3> ball = ballOffsets(grid_, closingRadius * voxelSide(grid_));
   glm::ivec3 reach(0);
   for (const glm::ivec3 offset : ball) reach = glm::max(reach, offset);
@@ -225,8 +215,7 @@ bool BoneTree::isBone(const Volume& volume, std::span<const Level> joins, int st
 }
 
 std::size_t BoneTree::heldBytes() const {
-  return voxels_.heldBytes() + leaves_.size() * sizeof(std::uint32_t) +
-         parents_.size() * (sizeof(std::uint32_t) + sizeof(float));
+  return voxels_.heldBytes() + leaves_.size() * sizeof(std::uint32_t) + merges_.heldBytes();
 }
 
 }  // namespace fenestra::segmentation

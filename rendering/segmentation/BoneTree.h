@@ -18,6 +18,7 @@
 #include <vector>
 
 #include "rendering/segmentation/Levels.h"
+#include "rendering/segmentation/MergeTree.h"
 #include "rendering/segmentation/VoxelBox.h"
 #include "rendering/segmentation/VoxelSet.h"
 #include "rendering/volume/Volume.h"
@@ -48,16 +49,14 @@ class BoneTree {
   std::size_t heldBytes() const;
 
  private:
-  static constexpr std::uint32_t none = UINT32_MAX;
+  static constexpr std::uint32_t none = MergeTree::none;
 
   std::uint32_t leafNear(glm::ivec3 seed) const;
-  std::vector<Level> leafJoins(std::uint32_t leaf) const;
 
   Grid grid_;
   VoxelSet voxels_;
-  std::vector<std::uint32_t> leaves_;   ///< by voxel of the set
-  std::vector<std::uint32_t> parents_;  ///< by node, leaves first; a parent comes after its children; none: the last
-  std::vector<float> heights_;          ///< by node: cost of its merge, not less than its children's; 0 for leaves
+  std::vector<std::uint32_t> leaves_;  ///< by voxel of the set
+  MergeTree merges_;
 };
 
 }  // namespace fenestra::segmentation

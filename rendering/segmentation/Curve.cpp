@@ -233,7 +233,7 @@ StructurePrior structurePrior(double body, bool isGas) {
 std::optional<ClearestStep> clearestStep(const GrowthCurve& curve, const StructurePrior& prior, const Grid& grid,
                                          int last) {
   std::optional<ClearestStep> clearest;
-  double chosen = 0.0;  // the clarity of its step
+  double chosen = 0.0;  // the clarity at clearest->step
   const double least = leastVoxels * grid.voxelVolume();
   std::size_t changes = curve.volume.size();  // the next step with another region
   for (std::size_t step = curve.volume.size(); step-- > 1;) {

@@ -52,7 +52,7 @@ StructurePrior structurePrior(double body, bool isGas);
 
 struct ClearestStep {
   int step = 0;
-  double clarity = 0.0;  ///< of the clearest region at all; a logarithm, comparable between curves of one volume
+  double clarity = 0.0;  ///< the greatest of all steps: a logarithm, comparable between curves of one volume
 };
 /// The step up to `last` whose region is most clearly one structure: its surface is sharp and compact, the tolerance
 /// can rise far until it changes, and its size is a structure's. Empty where no region is one.

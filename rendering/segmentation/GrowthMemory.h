@@ -20,18 +20,18 @@ struct FirstRegion {
   std::vector<Level> joins, costs;
   Noise noise;
   GrowthCurve curve;
-  bool isBone = false;  ///< of BoneTree
+  bool isBone = false;  ///< whether it is one of BoneTree's
 };
 
-/// A handle; copies share what it holds, two bytes a voxel and the volume's tissues and bones. growRegion() reads it
-/// and adds to it, on one thread at a time.
+/// A handle; copies share what it holds, some three bytes a voxel, and the volume's tissues and bones. growRegion()
+/// reads it and adds to it, on one thread at a time.
 class GrowthMemory {
  public:
   GrowthMemory(std::shared_ptr<const TissueTree> tissues = nullptr)
       : held_(std::make_shared<Held>(Held{std::move(tissues), nullptr, nullptr})) {}
 
   std::shared_ptr<const TissueTree>& tissues() const { return held_->tissues; }
-  /// Null where no seed has been near a bone yet, too.
+  /// Null without Hounsfield units, and until a seed is near a bone.
   std::shared_ptr<const BoneTree>& bones() const { return held_->bones; }
   std::shared_ptr<const FirstRegion>& first() const { return held_->first; }
   std::size_t bytes() const {

@@ -12,7 +12,7 @@ namespace fenestra::segmentation {
 
 /// What a cut costs: its area, and the volume that it takes away.
 struct CutCost {
-  /// 1/mm: mm² of cut that a mm³ costs which leaves. It lets seeds outside take little rather than much where the shape
+  /// 1/mm: the price of a mm³ that is taken, in mm² of cut. Seeds outside take little rather than much where the shape
   /// does not decide.
   double perVolume = 0.0;
   /// Real values: the cut is cheaper between voxels that differ, half as dear at this difference. Infinity: the shape
@@ -24,7 +24,7 @@ struct CutCost {
 /// everywhere where none of them lies in the region. The cheapest cut decides (Y. Boykov, M.-P. Jolly: Interactive
 /// graph cuts for optimal boundary & region segmentation of objects in N-D images, ICCV 2001). A seed claims the
 /// largest ball around it that the region holds: one in the middle of a part claims the part's body, one at the
-/// surface a spot. What the cut parts from all seeds `inside` leaves, too.
+/// surface a spot. What the cut parts from all seeds `inside` is taken, too.
 std::vector<std::uint8_t> cutOff(const Volume& volume, std::span<const Level> joins, int step,
                                  std::span<const glm::ivec3> inside, std::span<const glm::ivec3> outside,
                                  const CutCost& cost);

@@ -19,6 +19,11 @@ constexpr double sharePower = 0.35;
 /// Of a difference over three faces, as that of a blurred edge.
 constexpr float acrossShare = 0.7f;
 
+/// How far two tissues differ at their border and as a whole, units of the noise.
+float edgeBetween(const Tissue& a, const Tissue& b, const TissueContact& contact) {
+  return static_cast<float>(std::abs(a.mean() - b.mean())) + contact.difference / contact.area;
+}
+
 float costOf(const Tissue& a, const Tissue& b, const TissueContact& contact) {
   const double size = std::min(1.0, std::sqrt(std::min(a.volume, b.volume) / smallVolume));
   const double share = std::min(1.0, contact.area / std::min(a.surface, b.surface));
@@ -50,11 +55,11 @@ class Merger {
 
   std::optional<MergeTree> run(const std::function<bool(double)>& goOn) {
     const std::size_t leaves = tissues_.size();
-    while (const std::optional<TissuePair> pair = waiting_.pop()) {
+    while (const std::optional<MergePair> pair = waiting_.pop()) {
       const std::uint32_t a = ownerOf(pair->a), b = ownerOf(pair->b);
       if (a == b) continue;
       const std::uint32_t contact = pairs_(a, b);
-      const TissuePair now = pairOf(contacts_[contact]);
+      const MergePair now = pairOf(contacts_[contact]);
       if (now.cost > pair->cost) {
         waiting_.push(now);
         continue;
@@ -75,7 +80,7 @@ class Merger {
   };
   static constexpr std::uint32_t none = UINT32_MAX;
 
-  TissuePair pairOf(const TissueContact& contact) const {
+  MergePair pairOf(const TissueContact& contact) const {
     return {costOf(tissues_[contact.a], tissues_[contact.b], contact), std::min(contact.a, contact.b),
             std::max(contact.a, contact.b)};
   }
@@ -177,10 +182,6 @@ Tissues tissuesOf(const TissueCells& cells, const Basins& basins) {
     for (const std::uint32_t each : {one, other}) tissues.all[each].surface += area;
   });
   return tissues;
-}
-
-float edgeBetween(const Tissue& a, const Tissue& b, const TissueContact& contact) {
-  return static_cast<float>(std::abs(a.mean() - b.mean())) + contact.difference / contact.area;
 }
 
 std::optional<MergeTree> mergeTissues(Tissues tissues, const std::function<bool(double)>& goOn) {

@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "rendering/segmentation/MergeTree.h"
 #include "rendering/segmentation/TissueCells.h"
 
 namespace fenestra::segmentation {
@@ -31,15 +32,6 @@ struct Tissues {
 
 /// One tissue a basin.
 Tissues tissuesOf(const TissueCells& cells, const Basins& basins);
-
-/// How far two tissues differ at their border and as a whole, units of the noise.
-float edgeBetween(const Tissue& a, const Tissue& b, const TissueContact& contact);
-
-/// A binary tree of merges. Nodes are numbered from the tissues on, in the order of their merges.
-struct MergeTree {
-  std::vector<std::uint32_t> parents;  ///< by node; UINT32_MAX: none
-  std::vector<float> heights;          ///< by node: cost of its merge, not less than its children's; 0 for tissues
-};
 
 /// Merges the cheapest pair first until no two touch. Empty when `goOn` has returned false.
 std::optional<MergeTree> mergeTissues(Tissues tissues, const std::function<bool(double)>& goOn);

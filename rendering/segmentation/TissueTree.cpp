@@ -79,8 +79,7 @@ std::shared_ptr<const TissueTree> TissueTree::build(const Volume& volume, const 
   std::optional<MergeTree> merges =
       mergeTissues(std::move(tissues), [&](double share) { return !goOn || goOn(0.4 + 0.6 * share); });
   if (!merges) return nullptr;
-  tree->parents_ = std::move(merges->parents);
-  tree->heights_ = std::move(merges->heights);
+  tree->merges_ = std::move(*merges);
   return tree;
 }
 
@@ -102,22 +101,13 @@ std::size_t TissueTree::heldBytes() const {
   for (const std::vector<std::uint8_t>& tile : places_) places += tile.size();
   return places + leaves_.size() * sizeof(std::uint32_t) + means_.size() * (2 * sizeof(float) + sizeof(std::uint8_t)) +
          firstNeighbour_.size() * sizeof(std::uint32_t) + neighbours_.size() * sizeof(std::uint32_t) +
-         parents_.size() * (sizeof(std::uint32_t) + sizeof(float));
+         merges_.heldBytes();
 }
 
 std::uint32_t TissueTree::leafAt(glm::ivec3 voxel) const { return leaves_[wholeOf(cells_).offset(voxel / cellSize_)]; }
 
 std::span<const std::uint32_t> TissueTree::neighboursOf(std::uint32_t leaf) const {
   return std::span(neighbours_).subspan(firstNeighbour_[leaf], firstNeighbour_[leaf + 1] - firstNeighbour_[leaf]);
-}
-
-std::vector<Level> TissueTree::leafJoins(glm::ivec3 seed) const {
-  std::vector<Level> joins(parents_.size(), never);
-  for (std::uint32_t node = leafAt(seed); node != none; node = parents_[node]) joins[node] = levelOf(heights_[node]);
-  for (std::size_t node = parents_.size(); node-- > 0;)
-    if (joins[node] == never && parents_[node] != none) joins[node] = joins[parents_[node]];
-  joins.resize(means_.size());
-  return joins;
 }
 
 std::vector<Level> TissueTree::enclosures(std::span<const Level> joins) const {
@@ -244,7 +234,8 @@ void TissueTree::forTile(const Volume& volume, const ToneScale& scale, std::size
 }
 
 std::vector<Level> TissueTree::joinsOf(const Volume& volume, glm::ivec3 seed) const {
-  std::vector<Level> byLeaf = leafJoins(seed);
+  std::vector<Level> byLeaf = merges_.joinsFrom(leafAt(seed));
+  byLeaf.resize(means_.size());  // leaves come first
   fillPockets(byLeaf);
   std::vector<Level> joins(volume.grid.voxelCount());
   forVoxels(

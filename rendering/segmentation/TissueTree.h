@@ -19,6 +19,7 @@
 #include <vector>
 
 #include "rendering/segmentation/Levels.h"
+#include "rendering/segmentation/MergeTree.h"
 #include "rendering/segmentation/TissueCells.h"
 #include "rendering/segmentation/VoxelBox.h"
 #include "rendering/volume/Volume.h"
@@ -45,12 +46,9 @@ class TissueTree {
   std::size_t heldBytes() const;
 
  private:
-  static constexpr std::uint32_t none = UINT32_MAX;
-
   void setNeighbours(const Tissues& tissues);
   std::uint32_t leafAt(glm::ivec3 voxel) const;
   std::span<const std::uint32_t> neighboursOf(std::uint32_t leaf) const;
-  std::vector<Level> leafJoins(glm::ivec3 seed) const;
   /// By leaf: the level that encloses it, which is its own where nothing does: of the ways from it to a face of the
   /// volume, the one that joins last; on a way its first leaf to join counts.
   std::vector<Level> enclosures(std::span<const Level> joins) const;
@@ -72,10 +70,9 @@ class TissueTree {
   std::vector<std::uint8_t> isAtFace_;         ///< by leaf: whether it touches a face of the volume
   std::vector<std::uint32_t> firstNeighbour_;  ///< by leaf, and one more: where its neighbours begin
   std::vector<std::uint32_t> neighbours_;
-  std::vector<std::uint32_t> parents_;  ///< by node, leaves first; a parent comes after its children; none: the last
-  std::vector<float> heights_;          ///< by node: cost of its merge, not less than its children's; 0 for leaves
-  /// By tile of cells, and voxel in it: the place among the cells around its own whose leaf holds it. Found when a tile
-  /// is first asked about, which another seed nearby does again; each tile by one thread.
+  MergeTree merges_;
+  /// By tile of cells, and voxel in it: which of the cells around the voxel's own has the leaf that holds it. Filled as
+  /// tiles are asked about, because the next seed nearby asks again. One thread writes a tile.
   mutable std::vector<std::vector<std::uint8_t>> places_;
 };
 
