@@ -85,7 +85,7 @@ std::optional<Bend> bendIn(const std::string& text) {
   return Bend{{(*numbers)[0], (*numbers)[1], (*numbers)[2]}, (*numbers)[3], (*numbers)[4]};
 }
 
-std::optional<Removal> planeIn(const std::string& text) {
+std::optional<Removal> bentPlaneIn(const std::string& text) {
   constexpr std::string_view dragged = "drag=";
   Parts parts = io::split(text, ':');
   Removal removal;
@@ -139,7 +139,7 @@ void addRemovals(Command command, Removals& removals) {
       "remove what lies on the side TOWARDS (a direction, L,P,S) of a plane through POINTS (L,P,S;L,P,S;...) by their "
       "principal axes, down to DEPTH mm and EXTENT mm to each side; 0 has no end. Each drag bends the plane by MM at a "
       "point, within a sphere. Can be given several times; none: not even a session's",
-      planeIn, isPlane);
+      bentPlaneIn, isPlane);
 }
 
 }  // namespace fenestra::app

@@ -18,7 +18,9 @@
 namespace fenestra::viewer {
 namespace {
 
-QString tr(const char* text) { return QCoreApplication::translate("Panels", text); }
+struct PanelsWords {
+  Q_DECLARE_TR_FUNCTIONS(Panels)
+};
 
 }  // namespace
 
@@ -43,11 +45,11 @@ Panels makePanels(QMainWindow& window, Workspace& workspace) {
   window.setTabPosition(Qt::RightDockWidgetArea, QTabWidget::North);
   auto* focusScroller = new ScrollingPanel;  // a grown region adds rows, for which the window must not grow
   focusScroller->setBody(panels.focus);
-  QDockWidget* focus = add(tr("Focus"), "focusDock", focusScroller);
-  window.tabifyDockWidget(focus, add(tr("Cameras"), "camerasDock", panels.cameras));
-  QDockWidget* brush = add(tr("Brush"), "brushDock", panels.brush);
+  QDockWidget* focus = add(PanelsWords::tr("Focus"), "focusDock", focusScroller);
+  window.tabifyDockWidget(focus, add(PanelsWords::tr("Cameras"), "camerasDock", panels.cameras));
+  QDockWidget* brush = add(PanelsWords::tr("Brush"), "brushDock", panels.brush);
   window.tabifyDockWidget(focus, brush);
-  QDockWidget* clipping = add(tr("Clipping"), "clippingDock", panels.clipping);
+  QDockWidget* clipping = add(PanelsWords::tr("Clipping"), "clippingDock", panels.clipping);
   window.tabifyDockWidget(focus, clipping);
   QObject::connect(clipping, &QDockWidget::visibilityChanged, &workspace.options, &ViewOptions::setClipHandles);
   focus->raise();
@@ -56,10 +58,10 @@ Panels makePanels(QMainWindow& window, Workspace& workspace) {
     brush->show();
     brush->raise();
   });
-  QDockWidget* context = add(tr("Context"), "contextDock", panels.appearance);
-  window.tabifyDockWidget(context, add(tr("Context edges"), "contextLayerDock", panels.contextLayer));
+  QDockWidget* context = add(PanelsWords::tr("Context"), "contextDock", panels.appearance);
+  window.tabifyDockWidget(context, add(PanelsWords::tr("Context edges"), "contextLayerDock", panels.contextLayer));
   context->raise();
-  QDockWidget* cutaway = add(tr("Cutaway"), "cutawayDock", panels.cutaway);
+  QDockWidget* cutaway = add(PanelsWords::tr("Cutaway"), "cutawayDock", panels.cutaway);
   panels.cutaway->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum);
   window.resizeDocks({focus}, {310}, Qt::Horizontal);
   // The list of structures takes the remaining height.

@@ -18,10 +18,6 @@
 namespace fenestra::cli {
 namespace {
 
-double millisecondsSince(std::chrono::steady_clock::time_point start) {
-  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
-}
-
 std::string today() {
   const std::time_t now = std::time(nullptr);
   std::tm parts{};

@@ -19,11 +19,9 @@ namespace {
 using Json = nlohmann::ordered_json;
 using namespace segmentation;
 
-constexpr double mm3PerMl = 1000.0;
-
-Json listOf(const std::vector<glm::dvec3>& positions) {
+Json listsOf(const std::vector<glm::dvec3>& positions) {
   Json list = Json::array();
-  for (const glm::dvec3 p : positions) list.push_back({p.x, p.y, p.z});
+  for (const glm::dvec3 p : positions) list.push_back(listOf(p));
   return list;
 }
 
@@ -71,8 +69,8 @@ void grow(const GrowOptions& options) {
   for (const Plateau& plateau : growth.curve.plateaus) plateaus.push_back(describe(growth, plateau));
   Json json{
       {"source", options.data.source()},
-      {"seeds", listOf(options.region.inside)},
-      {"outside", listOf(options.region.outside)},
+      {"seeds", listsOf(options.region.inside)},
+      {"outside", listsOf(options.region.outside)},
       {"by", app::wordOfRule(options.region.rule)},
       {"tolerance", options.region.tolerance.value_or(growth.toleranceOf(step))},
       {"automatic", !options.region.tolerance},

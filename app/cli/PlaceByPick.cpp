@@ -19,8 +19,6 @@ using Json = nlohmann::ordered_json;
 using namespace placement;
 using segmentation::PickedStructure;
 
-Json listOf(glm::dvec3 v) { return {v.x, v.y, v.z}; }
-
 Json viewJson(const RatedViews& views, std::size_t index) {
   const SphereScores& scores = views.scores[index];
   return {{"index", index},

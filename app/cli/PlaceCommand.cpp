@@ -19,12 +19,6 @@ namespace {
 using Json = nlohmann::ordered_json;
 using namespace placement;
 
-double millisecondsSince(std::chrono::steady_clock::time_point start) {
-  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
-}
-
-Json listOf(glm::dvec3 v) { return {v.x, v.y, v.z}; }
-
 Json candidateJson(const Measured& measured, std::size_t index, const Options& by) {
   const Candidate& candidate = measured.candidates[index];
   const Descriptors& d = candidate.descriptors;

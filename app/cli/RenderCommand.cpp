@@ -32,10 +32,6 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-double millisecondsSince(std::chrono::steady_clock::time_point start) {
-  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
-}
-
 /// Writes one layer as NAME.mha; a stage that the scene does not use has no file.
 void writeLayer(const fs::path& folder, const char* name, glm::ivec2 size, const std::vector<float>& values) {
   if (!values.empty()) io::writeLayer(folder / (std::string(name) + ".mha"), size, 1, values);

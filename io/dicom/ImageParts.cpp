@@ -18,7 +18,7 @@ namespace {
 struct Source {
   DcmTagKey sequence, tag;
 };
-const DcmTagKey dataset(0, 0);
+const DcmTagKey wholeDataset(0, 0);
 
 struct Row {
   PartingAttribute attribute;
@@ -131,29 +131,29 @@ std::string vectorEntry(const Scopes& scopes, int index) {
 std::vector<Row> rowsThatAlwaysPart() {
   using enum Parting;
   return {
-      {{"echo time", "ms", Always}, true, {{DCM_MREchoSequence, DCM_EffectiveEchoTime}, {dataset, DCM_EchoTime}}},
-      {{"echo number", "", Always}, true, {{dataset, DCM_EchoNumbers}}},
+      {{"echo time", "ms", Always}, true, {{DCM_MREchoSequence, DCM_EffectiveEchoTime}, {wholeDataset, DCM_EchoTime}}},
+      {{"echo number", "", Always}, true, {{wholeDataset, DCM_EchoNumbers}}},
       {{"flip angle", "degrees", Always},
        true,
-       {{DCM_MRTimingAndRelatedParametersSequence, DCM_FlipAngle}, {dataset, DCM_FlipAngle}}},
+       {{DCM_MRTimingAndRelatedParametersSequence, DCM_FlipAngle}, {wholeDataset, DCM_FlipAngle}}},
       {{"image component", "", Always},
        false,
-       {{DCM_MRImageFrameTypeSequence, DCM_ComplexImageComponent}, {dataset, DCM_ComplexImageComponent}},
+       {{DCM_MRImageFrameTypeSequence, DCM_ComplexImageComponent}, {wholeDataset, DCM_ComplexImageComponent}},
        componentOf},
       {{"b-value", "s/mm^2", Always},
        true,
-       {{DCM_MRDiffusionSequence, DCM_DiffusionBValue}, {dataset, DCM_DiffusionBValue}},
+       {{DCM_MRDiffusionSequence, DCM_DiffusionBValue}, {wholeDataset, DCM_DiffusionBValue}},
        ownBValue},
       {{"velocity encoding", "", Always}, false, {{DCM_MRVelocityEncodingSequence, DCM_VelocityEncodingDirection}}},
       {{"magnetization transfer", "", Always}, false, {{DCM_MRModifierSequence, DCM_MagnetizationTransfer}}},
-      {{"tube voltage", "kV", Always}, true, {{DCM_CTXRayDetailsSequence, DCM_KVP}, {dataset, DCM_KVP}}},
-      {{"energy weighting", "", Always}, true, {{dataset, DCM_EnergyWeightingFactor}}},
+      {{"tube voltage", "kV", Always}, true, {{DCM_CTXRayDetailsSequence, DCM_KVP}, {wholeDataset, DCM_KVP}}},
+      {{"energy weighting", "", Always}, true, {{wholeDataset, DCM_EnergyWeightingFactor}}},
       {{kernelName, "", Always},
        false,
-       {{DCM_CTReconstructionSequence, DCM_ConvolutionKernel}, {dataset, DCM_ConvolutionKernel}}},
+       {{DCM_CTReconstructionSequence, DCM_ConvolutionKernel}, {wholeDataset, DCM_ConvolutionKernel}}},
       {{"contrast phase", "", Always},
        false,
-       {{DCM_ContrastBolusUsageSequence, DCM_ContrastBolusAgentPhase}, {dataset, DCM_ContrastBolusAgentPhase}}},
+       {{DCM_ContrastBolusUsageSequence, DCM_ContrastBolusAgentPhase}, {wholeDataset, DCM_ContrastBolusAgentPhase}}},
       {{"energy window", "", Always}, false, {}, vectorEntry<0x0010>},
   };
 }
@@ -162,20 +162,20 @@ std::vector<Row> rowsThatAlwaysPart() {
 std::vector<Row> rowsThatPartRepeats() {
   using enum Parting;
   return {
-      {{"series number", "", WherePlacesRepeat}, true, {{dataset, DCM_SeriesNumber}}},
+      {{"series number", "", WherePlacesRepeat}, true, {{wholeDataset, DCM_SeriesNumber}}},
       {{"slice thickness", "mm", WherePlacesRepeat},
        true,
-       {{DCM_PixelMeasuresSequence, DCM_SliceThickness}, {dataset, DCM_SliceThickness}}},
+       {{DCM_PixelMeasuresSequence, DCM_SliceThickness}, {wholeDataset, DCM_SliceThickness}}},
       {{"temporal position", "", WherePlacesRepeat},
        true,
-       {{DCM_FrameContentSequence, DCM_TemporalPositionIndex}, {dataset, DCM_TemporalPositionIdentifier}}},
+       {{DCM_FrameContentSequence, DCM_TemporalPositionIndex}, {wholeDataset, DCM_TemporalPositionIdentifier}}},
       {{"cardiac phase", "%", WherePlacesRepeat},
        true,
        {{DCM_CardiacSynchronizationSequence, DCM_NominalPercentageOfCardiacPhase},
-        {dataset, DCM_NominalPercentageOfCardiacPhase}}},
+        {wholeDataset, DCM_NominalPercentageOfCardiacPhase}}},
       {{"trigger time", "ms", WherePlacesRepeat},
        true,
-       {{DCM_CardiacSynchronizationSequence, DCM_NominalCardiacTriggerDelayTime}, {dataset, DCM_TriggerTime}}},
+       {{DCM_CardiacSynchronizationSequence, DCM_NominalCardiacTriggerDelayTime}, {wholeDataset, DCM_TriggerTime}}},
       {{"time slot", "", WherePlacesRepeat}, false, {}, vectorEntry<0x0070>},
       {{"time slice", "", WherePlacesRepeat}, false, {}, vectorEntry<0x0100>},
       {{"phase of acquisition", "", WherePlacesRepeat}, false, {}, vectorEntry<0x0030>},
@@ -183,18 +183,18 @@ std::vector<Row> rowsThatPartRepeats() {
       {{"detector", "", WherePlacesRepeat}, false, {}, vectorEntry<0x0020>},
       {{"acquisition number", "", WherePlacesRepeat},
        true,
-       {{DCM_FrameContentSequence, DCM_FrameAcquisitionNumber}, {dataset, DCM_AcquisitionNumber}}},
-      {{"frame reference time", "ms", WherePlacesRepeat}, true, {{dataset, DCM_FrameReferenceTime}}},
-      {{"inversion time", "ms", WherePlacesRepeat}, true, {{dataset, DCM_InversionTime}}},
+       {{DCM_FrameContentSequence, DCM_FrameAcquisitionNumber}, {wholeDataset, DCM_AcquisitionNumber}}},
+      {{"frame reference time", "ms", WherePlacesRepeat}, true, {{wholeDataset, DCM_FrameReferenceTime}}},
+      {{"inversion time", "ms", WherePlacesRepeat}, true, {{wholeDataset, DCM_InversionTime}}},
       {{"repetition time", "ms", WherePlacesRepeat},
        true,
-       {{DCM_MRTimingAndRelatedParametersSequence, DCM_RepetitionTime}, {dataset, DCM_RepetitionTime}}},
-      {{"image type", "", WherePlacesRepeat}, false, {{dataset, DCM_ImageType}}},
-      {{"sequence name", "", WherePlacesRepeat}, false, {{dataset, DCM_SequenceName}}},
-      {{"diffusion direction", "", WherePlacesRepeat}, false, {{dataset, DCM_DiffusionGradientOrientation}}},
-      {{"contrast agent", "", WherePlacesRepeat}, false, {{dataset, DCM_ContrastBolusAgent}}},
-      {{"acquisition time", "", WherePlacesRepeat}, false, {{dataset, DCM_AcquisitionTime}}},
-      {{"content time", "", WherePlacesRepeat}, false, {{dataset, DCM_ContentTime}}},
+       {{DCM_MRTimingAndRelatedParametersSequence, DCM_RepetitionTime}, {wholeDataset, DCM_RepetitionTime}}},
+      {{"image type", "", WherePlacesRepeat}, false, {{wholeDataset, DCM_ImageType}}},
+      {{"sequence name", "", WherePlacesRepeat}, false, {{wholeDataset, DCM_SequenceName}}},
+      {{"diffusion direction", "", WherePlacesRepeat}, false, {{wholeDataset, DCM_DiffusionGradientOrientation}}},
+      {{"contrast agent", "", WherePlacesRepeat}, false, {{wholeDataset, DCM_ContrastBolusAgent}}},
+      {{"acquisition time", "", WherePlacesRepeat}, false, {{wholeDataset, DCM_AcquisitionTime}}},
+      {{"content time", "", WherePlacesRepeat}, false, {{wholeDataset, DCM_ContentTime}}},
   };
 }
 
@@ -214,7 +214,7 @@ std::string valueOf(const Scopes& scopes, const Row& row, const Source& source) 
     const auto value = numberOf(*item, source.tag);
     return value ? numberText(*value) : std::string();
   };
-  if (source.sequence == dataset) return read(&scopes.dataset);
+  if (source.sequence == wholeDataset) return read(&scopes.dataset);
   std::string value = read(firstItem(scopes.perFrame, source.sequence));
   return value.empty() ? read(firstItem(scopes.shared, source.sequence)) : value;
 }
@@ -237,7 +237,7 @@ std::vector<std::string> partsOf(const Scopes& scopes, int index) {
   for (const Row& row : rows()) {
     std::string value = row.own ? row.own(scopes, index) : std::string();
     for (const Source& source : row.sources)
-      if (value.empty() && (grouped || source.sequence == dataset)) value = valueOf(scopes, row, source);
+      if (value.empty() && (grouped || source.sequence == wholeDataset)) value = valueOf(scopes, row, source);
     values.push_back(std::move(value));
   }
   return values;

@@ -11,10 +11,10 @@ namespace {
 
 using json::Value;
 
-constexpr const char* formatName = "fenestra-look";
+constexpr const char* lookName = "fenestra-look";
 std::string keyOf(const Label& label) { return label.name.empty() ? std::to_string(label.value) : label.name; }
 
-constexpr std::uintmax_t largest = std::uintmax_t{1} << 20;  ///< ten thousand nodes
+constexpr std::uintmax_t largestLook = std::uintmax_t{1} << 20;  ///< ten thousand nodes
 
 }  // namespace
 
@@ -64,9 +64,9 @@ void setLabelFunctions(SetScene& scene, const LookPreset& preset) {
 }
 
 LookPreset readLook(const std::filesystem::path& file) {
-  Value root = json::parse(file, json::readBounded(file, largest));
+  Value root = json::parse(file, json::readBounded(file, largestLook));
   const auto format = root.is_object() ? root.find("format") : root.end();
-  if (format == root.end() || *format != formatName)
+  if (format == root.end() || *format != lookName)
     throw Error(file, "is not a preset of a look", "give a file that Fenestra exported");
   const json::Place top{file};
   const json::Reader reader(top, root);
@@ -88,7 +88,7 @@ LookPreset readLook(const std::filesystem::path& file) {
 void writeLook(const std::filesystem::path& file, const LookPreset& preset) {
   LookPreset written = preset;
   written.look = styleOf(preset.look);
-  Value root{{"format", formatName}, {"version", lookVersion}};
+  Value root{{"format", lookName}, {"version", lookVersion}};
   try {
     root.update(json::write(written));
     if (!preset.unknown.empty()) json::addUnknown(root, Value::parse(preset.unknown));
@@ -115,7 +115,7 @@ std::string lookSchema() {
   };
   Value members = json::schemaOf(LookPreset());
   Value properties{
-      {"format", {{"const", formatName}}},
+      {"format", {{"const", lookName}}},
       {"version",
        {{"const", lookVersion}, {"description", "Raised only when an older program would misread the file"}}}};
   properties.update(members["properties"]);

@@ -14,7 +14,7 @@ namespace fs = std::filesystem;
 using json::Value;
 
 /// Enough for a million anchors; json::parse bounds the memory that a file can ask for.
-constexpr std::uintmax_t largest = std::uintmax_t{128} << 20;
+constexpr std::uintmax_t largestSession = std::uintmax_t{128} << 20;
 
 /// Each seed takes the time of a small filter; see segmentation::growRegion.
 constexpr std::size_t mostSeeds = 10000;
@@ -98,7 +98,7 @@ void check(const Session& session, const json::Reader& top) {
 }  // namespace
 
 Session readSession(const fs::path& file) {
-  Value root = json::parse(file, json::readBounded(file, largest));
+  Value root = json::parse(file, json::readBounded(file, largestSession));
   const auto format = root.is_object() ? root.find("format") : root.end();
   if (format == root.end() || *format != sessionFormat)
     throw Error(file, "is not a session", "give a .fenestra file that Fenestra wrote");

@@ -6,20 +6,20 @@
 namespace fenestra::io {
 namespace {
 
-constexpr const char* formatName = "fenestra-strokes";
+constexpr const char* strokesName = "fenestra-strokes";
 constexpr int newestVersion = 1;
-constexpr std::uintmax_t largest = std::uintmax_t{128} << 20;
+constexpr std::uintmax_t largestStrokes = std::uintmax_t{128} << 20;
 
 }  // namespace
 
 BrushStrokes readStrokes(const std::filesystem::path& file) {
-  const json::Value root = json::parse(file, json::readBounded(file, largest));
+  const json::Value root = json::parse(file, json::readBounded(file, largestStrokes));
   const json::Place top{file};
   const json::Reader reader(top, root);
   std::string format;
   int version = 0;
   reader("format", format);
-  if (format != formatName) throw Error(file, "is not a file of strokes", "give one that Fenestra wrote");
+  if (format != strokesName) throw Error(file, "is not a file of strokes", "give one that Fenestra wrote");
   reader("version", version, {1.0, 1e6});
   if (version > newestVersion)
     throw Error(file, "was written by a newer version of Fenestra", "open it with that version");
@@ -31,7 +31,7 @@ BrushStrokes readStrokes(const std::filesystem::path& file) {
 void writeStrokes(const std::filesystem::path& file, const BrushStrokes& strokes) {
   json::Value root;
   json::Writer writer(root);
-  writer("format", std::string(formatName));
+  writer("format", std::string(strokesName));
   writer("version", newestVersion);
   writer("strokes", strokes);
   writeText(file, json::textOf(root));

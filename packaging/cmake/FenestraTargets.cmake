@@ -5,6 +5,10 @@ set(FENESTRA_PRECOMPILED "${FENESTRA_CMAKE_FOLDER}/precompiled")
 if(FENESTRA_ASSERTIONS)
   add_compile_options(-UNDEBUG)  # after the -DNDEBUG of Release
 endif()
+if(FENESTRA_UNITY)
+  set(CMAKE_UNITY_BUILD ON)
+  set(CMAKE_UNITY_BUILD_BATCH_SIZE 8)
+endif()
 find_program(FENESTRA_MOLD mold)
 if(FENESTRA_MOLD AND NOT FENESTRA_SANITIZE AND NOT FENESTRA_FUZZ)
   add_link_options(-fuse-ld=mold)  # a program of ours in a tenth of the time that GNU ld takes
@@ -74,6 +78,10 @@ endfunction()
 function(fenestra_own_code TARGET)
   target_compile_features(${TARGET} PUBLIC cxx_std_20)
   target_compile_options(${TARGET} PRIVATE -Wall -Wextra -Wpedantic -Wshadow -Werror)
+  if(FENESTRA_UNITY AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+    # Types of an anonymous namespace are local to the batch, although their file is included.
+    target_compile_options(${TARGET} PRIVATE -Wno-subobject-linkage)
+  endif()
   if(FENESTRA_SANITIZE)
     if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
       # With sanitizers GCC 12 reports initialised parts of std::regex and std::optional as uninitialised (GCC bug 105562).
@@ -116,6 +124,10 @@ function(fenestra_test_program NAME)
   target_link_libraries(${NAME} PRIVATE ${ARG_LIBS} fenestra_test_support)
   fenestra_own_code(${NAME})
   target_compile_options(${NAME} PRIVATE $<$<CONFIG:Release>:-O1>)
+  if(FENESTRA_UNITY)
+    # Constants of one test file are no concern of the next.
+    target_compile_options(${NAME} PRIVATE -Wno-shadow)
+  endif()
   if(ARG_PRECOMPILED)
     fenestra_precompile(${NAME} ${ARG_PRECOMPILED})
   else()
@@ -123,15 +135,17 @@ function(fenestra_test_program NAME)
   endif()
 endfunction()
 
-# fenestra_test(NAME SOURCES... LIBS libs... [PRECOMPILED header] [LABEL label] [EXHAUSTIVE cases...] [FIRST suites...])
+# fenestra_test(NAME SOURCES... LIBS libs... [PRECOMPILED header] [LABEL label] [EXHAUSTIVE cases...] [FIRST suites...]
+#               [ENVIRONMENT variables...])
 # A GoogleTest executable whose suites ctest lists one by one; the cases of a suite share a process, and so an OpenGL
 # context. The cases of EXHAUSTIVE, in the words of GoogleTest's filter, are tests of their own with the label
 # `exhaustive`: `packaging/test` runs them only where it is asked for all. ctest starts the suites of FIRST before all
 # others, in that order: those that take longest, so that no processor waits for one of them at the end.
 function(fenestra_test NAME)
-  cmake_parse_arguments(ARG "" "PRECOMPILED;LABEL" "SOURCES;LIBS;EXHAUSTIVE;FIRST" ${ARGN})
+  cmake_parse_arguments(ARG "" "PRECOMPILED;LABEL" "SOURCES;LIBS;EXHAUSTIVE;FIRST;ENVIRONMENT" ${ARGN})
   fenestra_test_program(${NAME} SOURCES ${ARG_SOURCES} LIBS ${ARG_LIBS} PRECOMPILED ${ARG_PRECOMPILED})
-  fenestra_suites(${NAME} LABELS ${ARG_LABEL} EXHAUSTIVE ${ARG_EXHAUSTIVE} FIRST ${ARG_FIRST})
+  fenestra_suites(${NAME} LABELS ${ARG_LABEL} EXHAUSTIVE ${ARG_EXHAUSTIVE} FIRST ${ARG_FIRST}
+                  ENVIRONMENT ${ARG_ENVIRONMENT})
 endfunction()
 
 # fenestra_suites(NAME [PREFIX prefix] [LABELS labels...] [ONLY suites...] [EXCEPT suites...] [EXHAUSTIVE cases...]

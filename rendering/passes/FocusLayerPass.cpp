@@ -60,7 +60,7 @@ double toleranceOf(const FocusLayerPass::Sampling& sampling, bool lit, int halfS
 
 // shaders/lib/PixelList.glsl.
 constexpr unsigned listBlock = 2;
-constexpr std::array<std::uint32_t, 4> emptyList{16, 0, 1, 0};
+constexpr std::array<std::uint32_t, 4> noBorders{16, 0, 1, 0};
 
 /// The regions in units of boxes of `sides` pixels, counted from the picture's top left; a box counts when any of its
 /// pixels does.
@@ -78,7 +78,7 @@ std::size_t bytesOfList(std::span<const gl::Region> squares) {
   std::size_t groups = 0;
   for (const gl::Region& region : squares)
     groups += std::size_t(region.size.x + 7) / 8 * (std::size_t(region.size.y + 7) / 8);
-  return sizeof emptyList + groups * 64 * 2 * sizeof(std::uint32_t);
+  return sizeof noBorders + groups * 64 * 2 * sizeof(std::uint32_t);
 }
 
 /// Whether what the opening would remove is only ghosted.
@@ -169,7 +169,7 @@ void FocusLayerPass::drawBetween(const Layers& layers, int halfSide, bool centre
   const bool lit = drawn.look.shading.enabled;
   const std::size_t needed = bytesOfList(squares);
   if (list_.bytes() < needed) list_ = gl::Buffer::zeroed(needed);
-  list_.write(std::as_bytes(std::span(emptyList)));
+  list_.write(std::as_bytes(std::span(noBorders)));
   list_.bind(listBlock);
   gl::ShaderVariants& programs = drawn.sampling.quincunx ? quincunxBetween_ : centres ? centresBetween_ : sidesBetween_;
   gl::ShaderProgram& between = programs.get({{{"RAYS", raysTogether(drawn.gpu.schedule(), drawn.sampling, lit)}}, {}});

@@ -4,20 +4,18 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 
 #include "rendering/reference/Apart.h"
 #include "rendering/reference/Importance.h"
+#include "rendering/reference/Unknown.h"
 #include "rendering/volume/Threads.h"
 
 namespace fenestra::reference {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
 /// Shares of a voxel's shortest side: the longest piece that does not show between two removed parts, or between one
 /// and the focus; and how far behind the surface that the opening's camera sees the border shows.
 constexpr double sliver = 0.01, skin = 0.5, behind = 1.0;
-constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
 /// A plane through the eye, or along parallel rays: n·x + d, a point's distance from it times a factor.
 struct Plane {

@@ -2,16 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "rendering/reference/Reference.h"
+#include "rendering/reference/Unknown.h"
 #include "rendering/volume/Threads.h"
 
 namespace fenestra::reference {
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
 /// Depths on the rays of a picture, mm along the view from the eye or its plane.
 class Depths {

@@ -6,15 +6,13 @@
 #include "rendering/reference/Importance.h"
 #include "rendering/reference/Reference.h"
 #include "rendering/reference/Strokes.h"
+#include "rendering/reference/Unknown.h"
 #include "rendering/scene/EdgeRays.h"
 #include "rendering/scene/FocusCells.h"
 #include "rendering/volume/Threads.h"
 
 namespace fenestra::reference {
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
 std::size_t offset(glm::ivec2 size, int i, int j) {
   return static_cast<std::size_t>(j) * static_cast<std::size_t>(size.x) + static_cast<std::size_t>(i);

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "rendering/reference/Blend.h"
+#include "rendering/reference/Unknown.h"
 #include "rendering/scene/Explosion.h"
 #include "rendering/scene/Lighting.h"
 
@@ -33,8 +35,6 @@ CutRay stretchOf(const Scene& scene, const std::vector<HalfSpace>& kept, const R
   return cut;
 }
 
-glm::dvec4 over(glm::dvec4 front, glm::dvec4 behind) { return front + (1.0 - front.a) * behind; }
-
 /// Ray i, its stretches laid over each other from the nearest on.
 glm::dvec4 composed(const std::vector<Stretches>& all, std::size_t i) {
   std::vector<std::pair<double, glm::dvec4>> seen;
@@ -55,7 +55,6 @@ FocusLayer explodedLayer(const Scene& scene, const Camera& camera, glm::ivec2 si
   const std::vector<ExplodedPart> parts = ExplodedView(explosion, grid, focusCentre(scene), camera).parts();
   const std::vector<HalfSpace> clipped = halfSpaces(scene.look.clipping, grid);
   const Image tFocus = hitPoints(scene, camera, size, places).tFocus;
-  constexpr double infinity = std::numeric_limits<double>::infinity();
   // This is the greatest number of stretches that a ray meets: each plane parts it once, and the focus once more.
   const double each = tolerance / (explosion.planes + 3);
 

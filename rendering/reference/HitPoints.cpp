@@ -1,13 +1,11 @@
 #include "rendering/reference/ContextFunctions.h"
 #include "rendering/reference/Field.h"
 #include "rendering/reference/FocusField.h"
+#include "rendering/reference/Unknown.h"
 #include "rendering/volume/Threads.h"
 
 namespace fenestra::reference {
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 
 /// A closed set of values, given by the open gaps outside it. A ray inside a gap enters the set at one of that gap's
 /// two ends.
@@ -78,7 +76,7 @@ class ContextGaps {
 
 /// First t of a ray in the context or the focus, and in the focus.
 struct Hit {
-  double tContext = nothing, tFocus = nothing;
+  double tContext = unknown, tFocus = unknown;
 };
 
 }  // namespace
@@ -91,7 +89,7 @@ HitPoints hitPoints(const Scene& scene, const Camera& camera, glm::ivec2 size, c
   const Grid& grid = scene.volume->grid;
   const ContextGaps context(scene);
   const std::size_t count = places.size();
-  HitPoints result{Image(count, nothing), Image(count, nothing), Image(count, nothing)};
+  HitPoints result{Image(count, unknown), Image(count, unknown), Image(count, unknown)};
 
   const Field field(scene);
   const std::vector<HalfSpace> kept = halfSpaces(scene.look.clipping, grid);
@@ -109,11 +107,11 @@ HitPoints hitPoints(const Scene& scene, const Camera& camera, glm::ivec2 size, c
         };
         return field.along(cell, valueAt, wants, [&](const FieldPiece& part) {
           if (mayHoldFocus)
-            hit.tFocus = firstOutside(outsideFocus, *focus.along(part.piece, part.value), part.piece).value_or(nothing);
+            hit.tFocus = firstOutside(outsideFocus, *focus.along(part.piece, part.value), part.piece).value_or(unknown);
           if (std::isnan(hit.tContext)) {
             const bool isClear = context.isClear(part.range);
             const auto found = isClear ? std::nullopt : context.firstHit(part);
-            hit.tContext = std::fmin(found.value_or(nothing), hit.tFocus);
+            hit.tContext = std::fmin(found.value_or(unknown), hit.tFocus);
           }
           return std::isnan(hit.tFocus);
         });

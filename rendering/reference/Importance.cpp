@@ -2,17 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
+#include "rendering/reference/Unknown.h"
 #include "rendering/scene/Importance.h"
 
 namespace fenestra::reference {
-namespace {
-
-constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
-
-}  // namespace
-
 std::vector<Image> importantHits(const Scene& scene, const Camera& camera, glm::ivec2 size, const HitPoints& hits,
                                  const std::vector<glm::dvec2>& places) {
   std::vector<Image> found;

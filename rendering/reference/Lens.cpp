@@ -3,14 +3,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 
 #include "rendering/reference/ContextLayer.h"
+#include "rendering/reference/Unknown.h"
 
 namespace fenestra::reference {
 namespace {
 
-constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 /// A pixel and those beside it.
 constexpr std::array<glm::ivec2, 5> cross{
     {glm::ivec2(0, 0), glm::ivec2(1, 0), glm::ivec2(-1, 0), glm::ivec2(0, 1), glm::ivec2(0, -1)}};
@@ -64,7 +63,7 @@ std::vector<LensPoint> lensPoints(const Scene& scene, const Camera& camera, glm:
   std::vector<LensPoint> points;
   points.reserve(pixels.size());
   for (std::size_t i = 0; i < rays.size(); i += cross.size()) {
-    LensPoint point{seen(i), nothing, 1.0, 0.0};
+    LensPoint point{seen(i), unknown, 1.0, 0.0};
     const bool isSurface = !std::isnan(tContext[i]) && (std::isnan(tFocus[i]) || tContext[i] < tFocus[i] - margin);
     if (isSurface) {
       glm::dvec3 bend(0.0);

@@ -1,15 +1,11 @@
 #include "rendering/reference/Occlusion.h"
 
-#include <limits>
-
+#include "rendering/reference/Unknown.h"
 #include "rendering/scene/Lighting.h"
 #include "rendering/volume/Threads.h"
 
 namespace fenestra::reference {
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
 /// The rays that an opening cuts, to ask how much of a point's surroundings they leave.
 class CutRays {

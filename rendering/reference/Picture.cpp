@@ -1,5 +1,6 @@
 #include "rendering/reference/Picture.h"
 
+#include "rendering/reference/Blend.h"
 #include "rendering/reference/ContextLayer.h"
 #include "rendering/reference/Exploded.h"
 #include "rendering/reference/FocusLayer.h"
@@ -9,6 +10,7 @@
 #include "rendering/reference/Occlusion.h"
 #include "rendering/reference/Peeled.h"
 #include "rendering/reference/Strokes.h"
+#include "rendering/reference/Unknown.h"
 #include "rendering/reference/Walls.h"
 #include "rendering/scene/EdgeRays.h"
 #include "rendering/scene/Edges.h"
@@ -21,8 +23,6 @@
 
 namespace fenestra::reference {
 namespace {
-
-constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 
 std::vector<glm::ivec2> pixelsOf(glm::ivec2 size, const PictureOptions& options) {
   if (!options.pixels.empty()) return options.pixels;
@@ -140,9 +140,6 @@ std::vector<CutRay> cutRays(const Frame& frame, const Rays& rays) {
   return cut;
 }
 
-/// Premultiplied `front` over `behind`.
-glm::dvec4 over(glm::dvec4 front, glm::dvec4 behind) { return front + (1.0 - front.a) * behind; }
-
 /// The lens at the pixels of some rays; empty without one.
 std::vector<LensPoint> lensOf(const Frame& frame, const Rays& rays, Picture& picture) {
   if (!frame.pixels || !stagesOf(frame.scene.look.method).lens) return {};
@@ -223,15 +220,15 @@ void addContextLayer(const Frame& frame, const Rays& rays, const std::vector<Cut
     tContext.push_back(rays.tContext(i));
     // Where another camera's opening leaves the context's surface in place, no edges are laid over it: it shows itself.
     const bool stays = rays.stages.apart && !(rays.start(i) > rays.tContext(i));
-    tFocus.push_back(stays ? nothing : rays.tFocus(i));
+    tFocus.push_back(stays ? unknown : rays.tFocus(i));
   }
   const double scale = derivativeSpacing(frame.scene.volume->grid);
   const TransferFunction context = frame.scene.look.context.shifted();
   for (const auto& point : contextLayer(frame.scene, frame.camera, uncut, tContext, tFocus)) {
     const std::size_t i = picture.contextLayer.size();
     picture.contextLayer.push_back(point ? glm::dvec4(point->k1, point->k2, point->illumination, point->value)
-                                         : glm::dvec4(nothing));
-    picture.silhouette.push_back(point ? point->silhouette : nothing);
+                                         : glm::dvec4(unknown));
+    picture.silhouette.push_back(point ? point->silhouette : unknown);
     if (!point) continue;
     const glm::dvec4 surface(contextColour(look, context, *point), 1.0);
     double opacity = contextOpacity(look, *point, scale, rays.factor(i));

@@ -45,13 +45,13 @@ std::vector<glm::ivec2> hullOf(std::vector<glm::ivec2> points) {
   points.erase(std::unique(points.begin(), points.end()), points.end());
   if (points.size() < 3) return points;
   std::vector<glm::ivec2> hull;
-  for (int side = 0; side < 2; ++side) {
+  for (int half = 0; half < 2; ++half) {
     const std::size_t begin = hull.size();
     for (const glm::ivec2 point : points) {
       while (hull.size() >= begin + 2 && turn(hull[hull.size() - 2], hull.back(), point) <= 0) hull.pop_back();
       hull.push_back(point);
     }
-    hull.pop_back();  // the other side begins with it
+    hull.pop_back();  // the other half begins with it
     std::reverse(points.begin(), points.end());
   }
   return hull;

@@ -17,7 +17,6 @@
 namespace fenestra::segmentation {
 namespace {
 
-constexpr double softTissue = 40.0;     ///< HU: the reference of tones
 constexpr double largestCanal = 800.0;  ///< mm² in one plane: a medullary cavity, a vertebral canal
 
 bool reaches(const Volume& volume, const VoxelBox& box, double least) {

@@ -11,7 +11,7 @@ namespace {
 constexpr float flatness = 3.0f;
 
 /// The window that CT is read with first. Not the file's own: the region must not depend on who wrote the file.
-constexpr WindowLevel softTissue{400.0, 40.0};
+constexpr WindowLevel softTissueWindow{400.0, 40.0};
 /// Share of a display window that the eye tells apart in a texture.
 constexpr double seenShare = 0.02;
 
@@ -61,14 +61,15 @@ void readTones(std::span<const T> scalars, const Volume& volume, const VoxelBox&
 
 ToneScale::ToneScale(const Volume& volume, const Noise& noise, double reference) : noise_(noise) {
   if (volume.isInHounsfieldUnits())
-    seen_ = {softTissue.level - 0.5 * softTissue.width, softTissue.level + 0.5 * softTissue.width};
+    seen_ = {softTissueWindow.level - 0.5 * softTissueWindow.width,
+             softTissueWindow.level + 0.5 * softTissueWindow.width};
   reference_ = toned(std::isfinite(reference) ? reference : volume.range.low);
   seenTones_ = {static_cast<float>((*this)(seen_.low)), static_cast<float>((*this)(seen_.high))};
 }
 
 Noise noiseOf(const Volume& volume) {
   const glm::ivec3 dims = volume.grid.dims;
-  const double width = volume.isInHounsfieldUnits() ? softTissue.width : volume.defaultWindow().width;
+  const double width = volume.isInHounsfieldUnits() ? softTissueWindow.width : volume.defaultWindow().width;
   const double least = seenShare * width;
   std::vector<float> differences;
   volume.voxels.visit([&](auto scalars) {

@@ -39,6 +39,8 @@ struct Noise {
 /// least value (padding) do not count.
 Noise noiseOf(const Volume& volume);
 
+inline constexpr double softTissue = 40.0;  ///< HU: the reference of tones in CT
+
 /// Values as the eye compares them, in units of Noise::unit: 0 at a reference value, and limited to ±256, beyond which
 /// nothing is told apart. In Hounsfield units, differences beyond the display window count less, because the picture
 /// shows them as black or white: marrow and the brighter cortex around it are one bone, a lung and its vessels one

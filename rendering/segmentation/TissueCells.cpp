@@ -11,8 +11,7 @@ namespace fenestra::segmentation {
 namespace {
 
 constexpr double mostCells = 3e6;
-constexpr float leastEdge = 1.0f;    ///< units of the noise: edges with less are not sharpened
-constexpr double softTissue = 40.0;  ///< HU
+constexpr float leastEdge = 1.0f;  ///< units of the noise: edges with less are not sharpened
 
 /// As even in mm as whole voxels allow, and no more cells than mostCells.
 glm::ivec3 cellSizeOf(const Grid& grid) {

@@ -24,7 +24,7 @@ float edgeBetween(const Tissue& a, const Tissue& b, const TissueContact& contact
   return static_cast<float>(std::abs(a.mean() - b.mean())) + contact.difference / contact.area;
 }
 
-float costOf(const Tissue& a, const Tissue& b, const TissueContact& contact) {
+float costOfMerging(const Tissue& a, const Tissue& b, const TissueContact& contact) {
   const double size = std::min(1.0, std::sqrt(std::min(a.volume, b.volume) / smallVolume));
   const double share = std::min(1.0, contact.area / std::min(a.surface, b.surface));
   return static_cast<float>(edgeBetween(a, b, contact) * size / std::pow(share, sharePower));
@@ -81,7 +81,7 @@ class Merger {
   static constexpr std::uint32_t none = UINT32_MAX;
 
   MergePair pairOf(const TissueContact& contact) const {
-    return {costOf(tissues_[contact.a], tissues_[contact.b], contact), std::min(contact.a, contact.b),
+    return {costOfMerging(tissues_[contact.a], tissues_[contact.b], contact), std::min(contact.a, contact.b),
             std::max(contact.a, contact.b)};
   }
 

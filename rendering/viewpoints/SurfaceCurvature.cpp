@@ -10,7 +10,7 @@
 namespace fenestra::placement {
 namespace {
 
-constexpr std::size_t neighbourCount = 12;
+constexpr std::size_t nearestPoints = 12;
 /// Width of a class of curvatures, of asinh of what it is on the sphere of equal area.
 constexpr double classWidth = 0.5;
 
@@ -23,7 +23,7 @@ std::vector<std::size_t> neighboursOf(std::size_t point, const std::vector<glm::
     const glm::dvec3 away = positions[other] - positions[point];
     near.emplace_back(glm::dot(away, away), other);
   }
-  const std::size_t count = std::min(neighbourCount, near.size());
+  const std::size_t count = std::min(nearestPoints, near.size());
   std::partial_sort(near.begin(), near.begin() + static_cast<std::ptrdiff_t>(count), near.end());
   std::vector<std::size_t> neighbours;
   for (std::size_t i = 0; i < count; ++i) neighbours.push_back(near[i].second);

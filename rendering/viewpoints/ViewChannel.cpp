@@ -8,8 +8,6 @@
 namespace fenestra::placement {
 namespace {
 
-constexpr double undefined = std::numeric_limits<double>::quiet_NaN();
-
 /// p log₂(p / q), which is 0 at p = 0.
 double informationOf(double p, double q) { return p > 0.0 ? p * std::log2(p / q) : 0.0; }
 

@@ -3,9 +3,13 @@
 // González: A unified information-theoretic framework for viewpoint selection and mesh saliency. ACM Transactions on
 // Applied Perception 6(1), 2009).
 
+#include <limits>
 #include <vector>
 
 namespace fenestra::placement {
+
+/// What a view that sees nothing has in the place of a number.
+inline constexpr double undefined = std::numeric_limits<double>::quiet_NaN();
 
 /// With a_z(v) the visible projected area of element z in view v and a(v) = Σ_z a_z(v):
 ///

@@ -12,8 +12,6 @@
 namespace fenestra::placement {
 namespace {
 
-constexpr double undefined = std::numeric_limits<double>::quiet_NaN();
-
 constexpr std::array<ViewDescriptorEntry, 9> entries{{
     {ViewDescriptor::Entropy, "entropy", "bit", true, false},
     {ViewDescriptor::StructureEntropy, "structure-entropy", "bit", true, false},
@@ -31,7 +29,7 @@ constexpr std::array<ViewDescriptorEntry, 9> entries{{
 constexpr double leastFeature = 1.0 / 32.0;
 
 /// Nearest directions that stability compares with: a HEALPix pixel has at most eight neighbours.
-constexpr std::size_t neighbourCount = 8;
+constexpr std::size_t comparedDirections = 8;
 
 bool sees(const Candidate& candidate, std::size_t point) { return candidate.seen[point / 64] >> (point % 64) & 1u; }
 
@@ -52,7 +50,7 @@ std::vector<std::size_t> neighboursOf(std::size_t candidate, const std::vector<g
   std::vector<std::pair<double, std::size_t>> near;
   for (std::size_t other = 0; other < directions.size(); ++other)
     if (other != candidate) near.emplace_back(-glm::dot(directions[other], directions[candidate]), other);
-  const std::size_t count = std::min(neighbourCount, near.size());
+  const std::size_t count = std::min(comparedDirections, near.size());
   std::partial_sort(near.begin(), near.begin() + static_cast<std::ptrdiff_t>(count), near.end());
   std::vector<std::size_t> neighbours;
   for (std::size_t i = 0; i < count; ++i) neighbours.push_back(near[i].second);

@@ -9,7 +9,7 @@ namespace fenestra {
 namespace {
 
 /// Sides of a cell between four pixel centres: above, to the right, below, to the left.
-enum Side : int { Top, Right, Bottom, Left };
+enum CellSide : int { Top, Right, Bottom, Left };
 
 /// From one side of a cell to another, with the inside on the same hand everywhere, so that the lines of neighbouring
 /// cells meet head to tail.
@@ -19,7 +19,7 @@ struct Segment {
 
 /// The segments of a cell by its corners inside: bit 0 top left, 1 top right, 2 bottom right, 3 bottom left. Two
 /// corners across stay apart.
-constexpr std::array<std::array<Segment, 2>, 16> segments{{
+constexpr std::array<std::array<Segment, 2>, 16> cellSegments{{
     {},
     {{{Left, Top}, {}}},
     {{{Top, Right}, {}}},
@@ -54,7 +54,7 @@ class Crossings {
         const int corners = above[column] | above[column + 1] << 1 | below[column + 1] << 2 | below[column] << 3;
         if (corners == 0 || corners == 15) continue;
         const int x = static_cast<int>(column) - 1;
-        for (const Segment& segment : segments[static_cast<std::size_t>(corners)])
+        for (const Segment& segment : cellSegments[static_cast<std::size_t>(corners)])
           if (segment.from >= 0) next_[index(x, y, segment.from)] = static_cast<std::int32_t>(index(x, y, segment.to));
       }
     }

@@ -11,13 +11,13 @@ namespace fenestra {
 namespace {
 
 /// A direction across a picture: its index axis, and whether it runs backwards.
-struct Side {
+struct SliceSide {
   int axis = 0;
   glm::dvec3 step{0.0};   ///< world, mm per voxel, along the picture's side
   bool reversed = false;  ///< pixel 0 is the axis's last voxel
 };
 
-Side side(const Grid& grid, int axis, glm::dvec3 towards) {
+SliceSide side(const Grid& grid, int axis, glm::dvec3 towards) {
   const glm::dvec3 step = grid.direction[axis] * grid.spacing[axis];
   const bool reversed = glm::dot(step, towards) < 0.0;
   return {axis, reversed ? -step : step, reversed};
@@ -93,7 +93,7 @@ SliceGeometry sliceGeometry(const Grid& grid, SlicePlane plane) {
   const glm::ivec3 axes = grid.patientAxes();
   const glm::dvec3 left(1.0, 0.0, 0.0), posterior(0.0, 1.0, 0.0), superior(0.0, 0.0, 1.0);
 
-  Side right, down, normal;
+  SliceSide right, down, normal;
   switch (plane) {
     case SlicePlane::Axial:
       right = side(grid, axes.x, left);
@@ -121,19 +121,19 @@ SliceGeometry sliceGeometry(const Grid& grid, SlicePlane plane) {
   geometry.normal = normal.step;
 
   glm::dvec3 first = grid.origin;
-  for (const Side& s : {right, down, normal})
+  for (const SliceSide& s : {right, down, normal})
     if (s.reversed) first -= s.step * static_cast<double>(grid.dims[s.axis] - 1);
 
   // A sheared plane keeps the side nearer to its patient axis (the table's travel under a tilted gantry). The other
   // side loses its component along the first, and the picture grows along the first by the shift of the shear. Columns
   // (or rows) still fall on those of the voxels; values are interpolated along them only.
-  const auto alignment = [](const Side& s) {
+  const auto alignment = [](const SliceSide& s) {
     const glm::dvec3 unit = glm::abs(glm::normalize(s.step));
     return std::max({unit.x, unit.y, unit.z});
   };
   const bool keepDown = alignment(down) >= alignment(right);
-  Side& kept = keepDown ? down : right;
-  Side& turned = keepDown ? right : down;
+  SliceSide& kept = keepDown ? down : right;
+  SliceSide& turned = keepDown ? right : down;
   int& keptPixels = keepDown ? geometry.height : geometry.width;
   const int turnedPixels = keepDown ? geometry.width : geometry.height;
   const double shiftPerPixel = glm::dot(turned.step, kept.step) / glm::dot(kept.step, kept.step);

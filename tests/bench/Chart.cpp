@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "app/benchmark/Numbers.h"
+#include "tests/bench/Markup.h"
 
 namespace fenestra::bench {
 namespace {
@@ -61,12 +62,6 @@ class Scale {
   bool logarithmic_;
   double low_ = 0.0, high_ = 1.0, from_, to_;
 };
-
-std::string escaped(const std::string& text) {
-  std::string result;
-  for (const char c : text) result += c == '<' ? "&lt;" : c == '&' ? "&amp;" : c == '>' ? "&gt;" : std::string(1, c);
-  return result;
-}
 
 struct Range {
   double low = std::numeric_limits<double>::infinity(), high = -low;

@@ -4,6 +4,7 @@
 #include <sstream>
 
 #include "io/base/AtomicFile.h"
+#include "tests/bench/Markup.h"
 
 namespace fenestra::bench {
 namespace {
@@ -40,12 +41,6 @@ std::string markdown(const Table& table) {
   text += '\n';
   for (const auto& row : table.rows) line(row);
   return text;
-}
-
-std::string escaped(const std::string& text) {
-  std::string result;
-  for (const char c : text) result += c == '<' ? "&lt;" : c == '&' ? "&amp;" : c == '>' ? "&gt;" : std::string(1, c);
-  return result;
 }
 
 std::string html(const Table& table) {

@@ -2,7 +2,7 @@
 
 #include "tests/cli/CommandLine.h"
 
-namespace fenestra::tests {
+namespace fenestra::tests::benchmarkCommandTest {
 namespace {
 
 /// Expects `settings` settings for each scene, with their times in order.
@@ -53,4 +53,4 @@ TEST_F(CommandLine, BenchmarkRefusesWhatItCannotWrite) {
 }
 
 }  // namespace
-}  // namespace fenestra::tests
+}  // namespace fenestra::tests::benchmarkCommandTest

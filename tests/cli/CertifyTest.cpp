@@ -5,7 +5,7 @@
 #include "io/ImageWriter.h"
 #include "tests/cli/CommandLine.h"
 
-namespace fenestra::tests {
+namespace fenestra::tests::certifyTest {
 namespace {
 
 class Certify : public CommandLine {
@@ -107,4 +107,4 @@ TEST_F(Certify, NeedsAPictureOfTheRenderer) {
 }
 
 }  // namespace
-}  // namespace fenestra::tests
+}  // namespace fenestra::tests::certifyTest

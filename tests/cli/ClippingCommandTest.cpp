@@ -14,7 +14,7 @@
 #include "io/session/SessionFile.h"
 #include "tests/support/TestData.h"
 
-namespace fenestra::tests {
+namespace fenestra::tests::clippingCommandTest {
 namespace {
 
 namespace fs = std::filesystem;
@@ -130,4 +130,4 @@ TEST_F(ClippingCommand, MistakesAreExplained) {
 }
 
 }  // namespace
-}  // namespace fenestra::tests
+}  // namespace fenestra::tests::clippingCommandTest

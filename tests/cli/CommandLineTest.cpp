@@ -5,7 +5,7 @@
 #include "rendering/settings/Settings.h"
 #include "tests/cli/CommandLine.h"
 
-namespace fenestra::tests {
+namespace fenestra::tests::commandLineTest {
 namespace {
 
 TEST_F(CommandLine, HelpAndVersionSucceed) {
@@ -202,4 +202,4 @@ TEST_F(CommandLine, UnknownOutputFormatFails) {
 }
 
 }  // namespace
-}  // namespace fenestra::tests
+}  // namespace fenestra::tests::commandLineTest

@@ -8,7 +8,7 @@
 #include "tests/cli/CommandLine.h"
 #include "tests/io/DicomWriter.h"
 
-namespace fenestra::tests {
+namespace fenestra::tests::dataCommandsTest {
 namespace {
 
 using DataCommands = CommandLine;
@@ -222,4 +222,4 @@ TEST_F(DataCommands, CompareRefusesDifferentSizesAndNoPictures) {
 }
 
 }  // namespace
-}  // namespace fenestra::tests
+}  // namespace fenestra::tests::dataCommandsTest

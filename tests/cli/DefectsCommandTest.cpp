@@ -16,7 +16,7 @@
 #include "tests/io/IoTesting.h"
 #include "tests/support/TestData.h"
 
-namespace fenestra::tests {
+namespace fenestra::tests::defectsCommandTest {
 namespace fs = std::filesystem;
 
 namespace {
@@ -130,4 +130,4 @@ TEST(DefectsCommand, HeadersMayNameFilesOutsideWhenTheUserAllowsIt) {
   EXPECT_EQ(allowed.exitCode, 0) << allowed.error;
 }
 
-}  // namespace fenestra::tests
+}  // namespace fenestra::tests::defectsCommandTest

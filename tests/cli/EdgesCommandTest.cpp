@@ -4,7 +4,7 @@
 #include "tests/cli/CommandLine.h"
 #include "tests/cli/PictureCommand.h"
 
-namespace fenestra::tests {
+namespace fenestra::tests::edgesCommandTest {
 namespace {
 
 class EdgesCommand : public CommandLine {
@@ -55,4 +55,4 @@ TEST_F(EdgesCommand, ASessionKeepsIt) {
 }
 
 }  // namespace
-}  // namespace fenestra::tests
+}  // namespace fenestra::tests::edgesCommandTest

@@ -12,7 +12,7 @@
 
 #include "tests/support/TestData.h"
 
-namespace fenestra::tests {
+namespace fenestra::tests::failingDriverTest {
 namespace {
 
 struct Ended {
@@ -63,4 +63,4 @@ TEST(FailingDriver, DrawsWhereNothingFails) {
 }
 
 }  // namespace
-}  // namespace fenestra::tests
+}  // namespace fenestra::tests::failingDriverTest

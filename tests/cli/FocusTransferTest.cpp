@@ -4,7 +4,7 @@
 #include "io/session/SessionFile.h"
 #include "tests/cli/CommandLine.h"
 
-namespace fenestra::tests {
+namespace fenestra::tests::focusTransferTest {
 namespace {
 
 class FocusTransfer : public CommandLine {
@@ -100,4 +100,4 @@ TEST_F(FocusTransfer, MistakesAreNamed) {
 }
 
 }  // namespace
-}  // namespace fenestra::tests
+}  // namespace fenestra::tests::focusTransferTest

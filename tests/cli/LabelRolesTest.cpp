@@ -16,7 +16,7 @@
 #include "io/session/SessionFile.h"
 #include "tests/support/TestData.h"
 
-namespace fenestra::tests {
+namespace fenestra::tests::labelRolesTest {
 namespace {
 
 namespace fs = std::filesystem;
@@ -140,4 +140,4 @@ TEST_F(LabelRolesCommand, NamesWhatIsWrong) {
 }
 
 }  // namespace
-}  // namespace fenestra::tests
+}  // namespace fenestra::tests::labelRolesTest

@@ -16,7 +16,7 @@
 #include "tests/support/LargeVolume.h"
 #include "tests/support/TestData.h"
 
-namespace fenestra::tests {
+namespace fenestra::tests::largeVolumeTest {
 namespace {
 
 namespace fs = std::filesystem;
@@ -89,4 +89,4 @@ TEST_F(LargeVolume, AsADicomSeriesWithAMissingSlice) {
 }
 
 }  // namespace
-}  // namespace fenestra::tests
+}  // namespace fenestra::tests::largeVolumeTest

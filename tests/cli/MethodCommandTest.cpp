@@ -3,7 +3,7 @@
 #include "io/session/SessionFile.h"
 #include "tests/cli/PictureCommand.h"
 
-namespace fenestra::tests {
+namespace fenestra::tests::methodCommandTest {
 namespace {
 
 using MethodCommand = PictureCommand;
@@ -169,4 +169,4 @@ TEST_F(MethodCommand, RefusesWhatIsNoAngleAndNoShare) {
 }
 
 }  // namespace
-}  // namespace fenestra::tests
+}  // namespace fenestra::tests::methodCommandTest

@@ -3,7 +3,7 @@
 #include "io/session/SessionFile.h"
 #include "tests/cli/PictureCommand.h"
 
-namespace fenestra::tests {
+namespace fenestra::tests::occlusionCommandTest {
 namespace {
 
 using OcclusionCommand = PictureCommand;
@@ -36,4 +36,4 @@ TEST_F(OcclusionCommand, RefusesWhatIsNoShare) {
 }
 
 }  // namespace
-}  // namespace fenestra::tests
+}  // namespace fenestra::tests::occlusionCommandTest

@@ -15,7 +15,7 @@
 #include "io/session/SessionFile.h"
 #include "tests/support/TestData.h"
 
-namespace fenestra::tests {
+namespace fenestra::tests::openingCameraCommandTest {
 namespace {
 
 namespace fs = std::filesystem;
@@ -90,4 +90,4 @@ TEST_F(OpeningCameraCommand, RefusesWhatIsNoCamera) {
 }
 
 }  // namespace
-}  // namespace fenestra::tests
+}  // namespace fenestra::tests::openingCameraCommandTest

@@ -5,7 +5,7 @@
 #include "io/ImageWriter.h"
 #include "tests/cli/CommandLine.h"
 
-namespace fenestra::tests {
+namespace fenestra::tests::placeCommandTest {
 namespace {
 
 using PlaceCommand = CommandLine;
@@ -221,4 +221,4 @@ TEST_F(PlaceCommand, PickOutsideOrInAirFails) {
 }
 
 }  // namespace
-}  // namespace fenestra::tests
+}  // namespace fenestra::tests::placeCommandTest

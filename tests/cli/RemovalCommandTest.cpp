@@ -3,7 +3,7 @@
 #include "io/session/SessionFile.h"
 #include "tests/cli/PictureCommand.h"
 
-namespace fenestra::tests {
+namespace fenestra::tests::removalCommandTest {
 namespace {
 
 using RemovalCommand = PictureCommand;
@@ -88,4 +88,4 @@ TEST_F(RemovalCommand, RefusesWhatRemovesNothing) {
 }
 
 }  // namespace
-}  // namespace fenestra::tests
+}  // namespace fenestra::tests::removalCommandTest

@@ -6,7 +6,7 @@
 #include "io/ImageWriter.h"
 #include "tests/cli/CommandLine.h"
 
-namespace fenestra::tests {
+namespace fenestra::tests::renderCommandTest {
 namespace {
 
 using RenderCommand = CommandLine;
@@ -160,4 +160,4 @@ TEST_F(RenderCommand, BrokenCameraAndTransferFunctionFilesFail) {
 }
 
 }  // namespace
-}  // namespace fenestra::tests
+}  // namespace fenestra::tests::renderCommandTest

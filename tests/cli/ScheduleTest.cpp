@@ -12,7 +12,7 @@
 #include "io/ImageWriter.h"
 #include "tests/support/TestData.h"
 
-namespace fenestra::tests {
+namespace fenestra::tests::scheduleTest {
 namespace {
 
 namespace fs = std::filesystem;
@@ -77,4 +77,4 @@ TEST_F(ScheduleCommand, ADamagedOrUnwritableFileCostsATrialAndNothingElse) {
 }
 
 }  // namespace
-}  // namespace fenestra::tests
+}  // namespace fenestra::tests::scheduleTest

@@ -9,7 +9,7 @@
 #include <gtest/gtest.h>
 #include <glm/gtc/matrix_transform.hpp>
 
-namespace fenestra {
+namespace fenestra::sliceTest {
 namespace {
 
 struct Case {
@@ -223,4 +223,4 @@ TEST(Slice, LettersNameThePatientsSides) {
 }
 
 }  // namespace
-}  // namespace fenestra
+}  // namespace fenestra::sliceTest

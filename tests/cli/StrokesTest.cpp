@@ -14,7 +14,7 @@
 #include "io/ImageWriter.h"
 #include "tests/support/TestData.h"
 
-namespace fenestra::tests {
+namespace fenestra::tests::strokesTest {
 namespace {
 
 namespace fs = std::filesystem;
@@ -115,4 +115,4 @@ TEST_F(Strokes, LooksAreWhatTheirOptionsSay) {
 }
 
 }  // namespace
-}  // namespace fenestra::tests
+}  // namespace fenestra::tests::strokesTest

@@ -5,7 +5,7 @@
 #include "io/session/SessionFile.h"
 #include "tests/cli/CommandLine.h"
 
-namespace fenestra::tests {
+namespace fenestra::tests::studyOptionsTest {
 namespace {
 
 class StudyOptions : public CommandLine {
@@ -51,4 +51,4 @@ TEST_F(StudyOptions, WrongModalitiesAreWrongUsage) {
 }
 
 }  // namespace
-}  // namespace fenestra::tests
+}  // namespace fenestra::tests::studyOptionsTest

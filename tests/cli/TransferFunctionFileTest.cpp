@@ -11,7 +11,7 @@
 
 #include "tests/support/TestData.h"
 
-namespace fenestra::io {
+namespace fenestra::io::transferFunctionFileTest {
 namespace {
 
 template <class T>
@@ -141,4 +141,4 @@ TEST(TransferFunctionFile, DefaultFollowsModalityAndRange) {
 }
 
 }  // namespace
-}  // namespace fenestra::io
+}  // namespace fenestra::io::transferFunctionFileTest

@@ -7,7 +7,7 @@
 #include "rendering/passes/FocusLayerPass.h"
 #include "tests/gl/PassTest.h"
 
-namespace fenestra::tests {
+namespace fenestra::tests::adaptiveSamplingTest {
 namespace {
 
 using Sampling = FocusLayerPass::Sampling;
@@ -225,4 +225,4 @@ TEST_F(AdaptiveSampling, TakesNoMemoryWhereEveryRayIsFollowed) {
 }
 
 }  // namespace
-}  // namespace fenestra::tests
+}  // namespace fenestra::tests::adaptiveSamplingTest

@@ -3,7 +3,7 @@
 
 #include "tests/gl/BrushTesting.h"
 
-namespace fenestra::tests {
+namespace fenestra::tests::brushPaintingTest {
 namespace {
 
 using Brush = GlTest;
@@ -166,4 +166,4 @@ TEST_F(Brush, PickingGivesTheAnchorUnderThePixelAndItsScale) {
 }
 
 }  // namespace
-}  // namespace fenestra::tests
+}  // namespace fenestra::tests::brushPaintingTest

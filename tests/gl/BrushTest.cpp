@@ -4,7 +4,7 @@
 #include "rendering/reference/Strokes.h"
 #include "tests/gl/BrushTesting.h"
 
-namespace fenestra::tests {
+namespace fenestra::tests::brushTest {
 namespace {
 
 /// The reference's edits of the renderer's own earlier stages, so that an error shows where it arises.
@@ -362,4 +362,4 @@ TEST_F(Brush, PictureMatchesTheReference) {
 /// Expects that the layers that depend on strokes are equal, bit for bit.
 
 }  // namespace
-}  // namespace fenestra::tests
+}  // namespace fenestra::tests::brushTest

@@ -3,7 +3,7 @@
 #include "rendering/reference/Picture.h"
 #include "tests/gl/GlTest.h"
 
-namespace fenestra::tests {
+namespace fenestra::tests::clippingTest {
 namespace {
 
 constexpr glm::ivec2 size{61, 53};
@@ -379,4 +379,4 @@ TEST_F(ClippingTest, APickOnACappedFaceIsOnItsPlane) {
 }
 
 }  // namespace
-}  // namespace fenestra::tests
+}  // namespace fenestra::tests::clippingTest

@@ -6,7 +6,7 @@
 #include "rendering/passes/DistanceMapPass.h"
 #include "tests/gl/PassTest.h"
 
-namespace fenestra::tests {
+namespace fenestra::tests::compositePassTest {
 namespace {
 
 /// Hermite's step from 0 at `low` to 1 at `high`.
@@ -201,4 +201,4 @@ TEST_F(CompositePassTest, ASurfaceHasTheColourOfWhatIsOpaqueNextToIt) {
 }
 
 }  // namespace
-}  // namespace fenestra::tests
+}  // namespace fenestra::tests::compositePassTest

@@ -5,7 +5,7 @@
 
 #include "tests/gl/PassTest.h"
 
-namespace fenestra::tests {
+namespace fenestra::tests::conePassTest {
 namespace {
 
 struct MadeCones {
@@ -131,4 +131,4 @@ TEST_F(ConePassTest, KeepsItsPyramidUntilReleased) {
 }
 
 }  // namespace
-}  // namespace fenestra::tests
+}  // namespace fenestra::tests::conePassTest

@@ -6,7 +6,7 @@
 #include "rendering/reference/ContextLayer.h"
 #include "tests/gl/PassTest.h"
 
-namespace fenestra::tests {
+namespace fenestra::tests::contextLayerPassTest {
 namespace {
 
 /// A bumpy body of high values around a ball of label 1.
@@ -191,4 +191,4 @@ TEST_F(ContextLayerPassTest, FocusEverywhereLiesBare) {
 }
 
 }  // namespace
-}  // namespace fenestra::tests
+}  // namespace fenestra::tests::contextLayerPassTest

@@ -8,7 +8,7 @@
 #include "tests/gl/GlTest.h"
 #include "tests/support/FeatureScenes.h"
 
-namespace fenestra::tests {
+namespace fenestra::tests::costTest {
 namespace {
 
 // So small that a voxel is less than a pixel wide, and every ray is followed.
@@ -182,4 +182,4 @@ TEST_F(Cost, AFeatureSwitchedOffGivesBackWhatItTook) {
 }
 
 }  // namespace
-}  // namespace fenestra::tests
+}  // namespace fenestra::tests::costTest

@@ -5,7 +5,7 @@
 
 #include "tests/gl/PassTest.h"
 
-namespace fenestra::tests {
+namespace fenestra::tests::distanceMapPassTest {
 namespace {
 
 /// Which pixels meet the focus, row by row.
@@ -130,4 +130,4 @@ TEST_F(DistanceMapPassTest, KeepsItsImagesUntilReleased) {
 }
 
 }  // namespace
-}  // namespace fenestra::tests
+}  // namespace fenestra::tests::distanceMapPassTest

@@ -20,7 +20,7 @@ const std::vector<std::string> blockNames{
 
 namespace {
 
-constexpr std::array schedules{Schedule::Plain, Schedule::Llvmpipe};
+constexpr std::array bothSchedules{Schedule::Plain, Schedule::Llvmpipe};
 using Picture = std::vector<std::uint8_t>;
 
 void place(Scene scene, Schedule schedule) {
@@ -91,9 +91,11 @@ class IdleDriver {
 class SourcesAlone {
  public:
   SourcesAlone() { real = std::exchange(epoxy_glShaderSource, &replace); }
-  ~SourcesAlone() { epoxy_glShaderSource = real; }
+  ~SourcesAlone() { epoxy_glShaderSource = std::exchange(real, nullptr); }
   SourcesAlone(const SourcesAlone&) = delete;
   SourcesAlone& operator=(const SourcesAlone&) = delete;
+
+  static bool areTold() { return real; }
 
  private:
   static void replace(GLuint shader, GLsizei, const GLchar* const*, const GLint*) {
@@ -129,8 +131,8 @@ std::vector<bool> coveringPairs(const std::vector<SceneKind>& kinds) {
   }
 }
 
-/// The pictures of the kinds that `isDrawn`, and their faults. Links the programs of all under the driver's usual
-/// schedule; those of the other one have the same declarations, so their sources are enough.
+/// The pictures of the kinds that `isDrawn`, and their faults. Tells the sources of the programs of all kinds; links
+/// those of the kinds drawn.
 std::vector<Picture> draw(const std::vector<SceneKind>& kinds, const std::vector<bool>& isDrawn, Schedule schedule,
                           std::vector<std::string>& tileFaults) {
   std::vector<Picture> pictures;
@@ -147,8 +149,7 @@ std::vector<Picture> draw(const std::vector<SceneKind>& kinds, const std::vector
   }
   // Last, because textures that the scenes share are left without content.
   const IdleDriver driver;
-  std::optional<SourcesAlone> sources;
-  if (schedule != usualSchedule()) sources.emplace();
+  const SourcesAlone sources;
   for (std::size_t at = 0; at < kinds.size(); ++at)
     if (!isDrawn[at]) Renderer(gpu).render(kinds[at].scene, kinds[at].view);
   return pictures;
@@ -159,6 +160,7 @@ std::vector<Picture> draw(const std::vector<SceneKind>& kinds, const std::vector
 DrawnKinds drawKinds(Chosen chosen) {
   DrawnKinds all;
   gl::ShaderProgram::listen([&](const gl::ShaderProgram& program, std::string_view path, const std::string& source) {
+    if (SourcesAlone::areTold() && all.programs.contains(source)) return;
     Linked& linked = all.programs[source];
     linked.path = path;
     linked.resources = program.resources();
@@ -167,14 +169,14 @@ DrawnKinds drawKinds(Chosen chosen) {
   const std::vector<SceneKind> kinds = allSceneKinds();
   const std::vector<bool> isDrawn =
       chosen == Chosen::All ? std::vector<bool>(kinds.size(), true) : coveringPairs(kinds);
-  std::array<std::vector<Picture>, schedules.size()> pictures;
-  for (std::size_t i = 0; i < schedules.size(); ++i) {
+  std::array<std::vector<Picture>, bothSchedules.size()> pictures;
+  for (std::size_t i = 0; i < bothSchedules.size(); ++i) {
     for (const Focus& focus : {Focus(LabelFocus{{1}}), Focus(ValueFocus{{95.0, 1000.0}, 0.0})}) {
       Scene scene = bodyWithOrgans<std::int16_t>(gridOf({26, 24, 22}));
       scene.look.focus = focus;
-      place(scene, schedules[i]);
+      place(scene, bothSchedules[i]);
     }
-    pictures[i] = draw(kinds, isDrawn, schedules[i], all.tileFaults);
+    pictures[i] = draw(kinds, isDrawn, bothSchedules[i], all.tileFaults);
   }
   for (const SceneKind& kind : kinds) {
     if (!isDrawn[all.kinds++]) continue;

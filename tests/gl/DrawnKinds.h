@@ -1,5 +1,5 @@
 #pragma once
-// The scenes of SceneKinds.h under both schedules: which programs they link, and whether a schedule, or drawing a tile
+// The scenes of SceneKinds.h under both schedules: which programs they need, and whether a schedule, or drawing a tile
 // at a time, changes their pictures. Needs a current context.
 
 #include <map>
@@ -31,8 +31,8 @@ struct DrawnKinds {
   std::vector<std::string> scheduleFaults;  ///< where the schedules' pictures differ
 };
 
-/// Which kinds are drawn. The programs of the others are linked and not run, and those of the schedule that the driver
-/// does not use are not linked either: a driver takes longer for a program than these small pictures do.
+/// Which kinds are drawn. Of the programs of the others only the sources are told, which the reference compiler reads: a
+/// driver takes longer for a program than these small pictures do.
 enum class Chosen {
   /// So many that each two properties that a kind has together are drawn together: one of some five.
   CoveringPairs,

@@ -6,7 +6,7 @@
 #include "tests/gl/GlTest.h"
 #include "tests/gl/SceneKinds.h"
 
-namespace fenestra::tests {
+namespace fenestra::tests::droppedStrokesTest {
 namespace {
 
 using DroppedStrokes = GlTest;
@@ -82,4 +82,4 @@ TEST_F(DroppedStrokes, LeaveNoTrace) {
 }
 
 }  // namespace
-}  // namespace fenestra::tests
+}  // namespace fenestra::tests::droppedStrokesTest

@@ -8,7 +8,7 @@
 #include "tests/gl/GlTest.h"
 #include "tests/gl/SceneKinds.h"
 
-namespace fenestra::tests {
+namespace fenestra::tests::edgesTest {
 namespace {
 
 constexpr glm::ivec2 size{96, 84};
@@ -228,4 +228,4 @@ TEST_F(EdgesTest, NoiseIsTheMeanOfPicturesOfShiftedCamerasInSeveralBatches) {
 }
 
 }  // namespace
-}  // namespace fenestra::tests
+}  // namespace fenestra::tests::edgesTest

@@ -7,7 +7,7 @@
 #include "rendering/reference/Strokes.h"
 #include "tests/gl/PassTest.h"
 
-namespace fenestra::tests {
+namespace fenestra::tests::editMapPassTest {
 namespace {
 
 constexpr double openWidth = 9.0;
@@ -217,4 +217,4 @@ TEST_F(EditMapPassTest, PicturesTooLargeForTheSmallestTiles) {
 }
 
 }  // namespace
-}  // namespace fenestra::tests
+}  // namespace fenestra::tests::editMapPassTest

@@ -5,7 +5,7 @@
 #include "tests/gl/GlTest.h"
 #include "tests/gl/SceneKinds.h"
 
-namespace fenestra::tests {
+namespace fenestra::tests::explodedTest {
 namespace {
 
 constexpr glm::ivec2 size{72, 64};
@@ -208,4 +208,4 @@ TEST_F(Exploded, PlacesAreShownAlsoWhenTheSharedSceneHasLostItsFocus) {
 }
 
 }  // namespace
-}  // namespace fenestra::tests
+}  // namespace fenestra::tests::explodedTest

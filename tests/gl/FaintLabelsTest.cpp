@@ -8,7 +8,7 @@
 #include "rendering/reference/Picture.h"
 #include "tests/gl/MadeOpening.h"
 
-namespace fenestra::tests {
+namespace fenestra::tests::faintLabelsTest {
 namespace {
 
 constexpr glm::ivec2 size{61, 53};
@@ -309,4 +309,4 @@ TEST_F(FaintLabelsTest, CostNothingWhereThereAreNone) {
 }
 
 }  // namespace
-}  // namespace fenestra::tests
+}  // namespace fenestra::tests::faintLabelsTest

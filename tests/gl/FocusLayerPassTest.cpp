@@ -6,7 +6,7 @@
 #include "rendering/reference/Picture.h"
 #include "tests/gl/MadeOpening.h"
 
-namespace fenestra::tests {
+namespace fenestra::tests::focusLayerPassTest {
 namespace {
 
 using Sampling = FocusLayerPass::Sampling;
@@ -283,4 +283,4 @@ TEST_F(FocusLayerPassTest, AMovedStartChangesNoPixelBeyondTheReach) {
 }
 
 }  // namespace
-}  // namespace fenestra::tests
+}  // namespace fenestra::tests::focusLayerPassTest

@@ -11,7 +11,7 @@
 #include "rendering/scene/VisibleFraming.h"
 #include "tests/gl/GlTest.h"
 
-namespace fenestra::tests {
+namespace fenestra::tests::gpuSceneTest {
 namespace {
 
 using GpuSceneTest = GlTest;
@@ -410,4 +410,4 @@ TEST_F(GpuSceneTest, TheDriverSaysHowMuchItHolds) {
 }
 
 }  // namespace
-}  // namespace fenestra::tests
+}  // namespace fenestra::tests::gpuSceneTest

@@ -8,7 +8,7 @@
 #include "rendering/settings/Settings.h"
 #include "tests/gl/GlTest.h"
 
-namespace fenestra::tests {
+namespace fenestra::tests::hardCasesTest {
 namespace {
 
 constexpr glm::ivec2 small{96, 80};
@@ -478,4 +478,4 @@ INSTANTIATE_TEST_SUITE_P(Method, HardCases, ::testing::ValuesIn(hardCases()),
                          [](const auto& instance) { return instance.param.name; });
 
 }  // namespace
-}  // namespace fenestra::tests
+}  // namespace fenestra::tests::hardCasesTest

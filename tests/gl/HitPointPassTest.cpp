@@ -4,7 +4,7 @@
 
 #include "tests/gl/PassTest.h"
 
-namespace fenestra::tests {
+namespace fenestra::tests::hitPointPassTest {
 namespace {
 
 /// A bumpy body on an oblique grid of anisotropic voxels; a ball of label 1 in it.
@@ -188,4 +188,4 @@ TEST_F(HitPointPassTest, WindowsShowTheSameAsTheWholePicture) {
 }
 
 }  // namespace
-}  // namespace fenestra::tests
+}  // namespace fenestra::tests::hitPointPassTest

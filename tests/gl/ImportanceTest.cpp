@@ -8,7 +8,7 @@
 #include "tests/gl/GlTest.h"
 #include "tests/gl/SceneKinds.h"
 
-namespace fenestra::tests {
+namespace fenestra::tests::importanceTest {
 namespace {
 
 constexpr glm::ivec2 size{66, 54};
@@ -314,4 +314,4 @@ TEST_F(ImportanceLevels, AClickMeetsWhatIsSeen) {
 }
 
 }  // namespace
-}  // namespace fenestra::tests
+}  // namespace fenestra::tests::importanceTest

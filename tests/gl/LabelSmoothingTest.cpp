@@ -5,7 +5,7 @@
 #include "rendering/reference/Picture.h"
 #include "tests/gl/GlTest.h"
 
-namespace fenestra::tests {
+namespace fenestra::tests::labelSmoothingTest {
 namespace {
 
 constexpr glm::ivec2 size{64, 52};
@@ -172,4 +172,4 @@ TEST_F(LabelSmoothingTest, ItFollowsTheLabelsAndTheStrength) {
 }
 
 }  // namespace
-}  // namespace fenestra::tests
+}  // namespace fenestra::tests::labelSmoothingTest

@@ -5,7 +5,7 @@
 #include "rendering/reference/Lens.h"
 #include "tests/gl/PassTest.h"
 
-namespace fenestra::tests {
+namespace fenestra::tests::lensPassTest {
 namespace {
 
 /// A bumpy body of high values around a ball of label 1.
@@ -148,4 +148,4 @@ TEST_F(LensPassTest, WhereThereIsNoSurfaceOrNoNormal) {
 }
 
 }  // namespace
-}  // namespace fenestra::tests
+}  // namespace fenestra::tests::lensPassTest

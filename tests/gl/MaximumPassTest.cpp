@@ -6,7 +6,7 @@
 #include "rendering/reference/Maximum.h"
 #include "tests/gl/MadeOpening.h"
 
-namespace fenestra::tests {
+namespace fenestra::tests::maximumPassTest {
 namespace {
 
 using MaximumPassTest = GlTest;
@@ -191,4 +191,4 @@ TEST_F(MaximumPassTest, PartsMakeTheWhole) {
 }
 
 }  // namespace
-}  // namespace fenestra::tests
+}  // namespace fenestra::tests::maximumPassTest

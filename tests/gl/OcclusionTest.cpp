@@ -8,7 +8,7 @@
 #include "tests/gl/GlTest.h"
 #include "tests/gl/SceneKinds.h"
 
-namespace fenestra::tests {
+namespace fenestra::tests::occlusionTest {
 namespace {
 
 constexpr glm::ivec2 size{61, 53};
@@ -308,4 +308,4 @@ TEST_F(OcclusionTest, APitIsDarkerThanTheGround) {
 }
 
 }  // namespace
-}  // namespace fenestra::tests
+}  // namespace fenestra::tests::occlusionTest

@@ -4,7 +4,7 @@
 #include "tests/gl/GlTest.h"
 #include "tests/gl/SceneKinds.h"
 
-namespace fenestra::tests {
+namespace fenestra::tests::openingCameraTest {
 namespace {
 
 constexpr glm::ivec2 size{88, 72};
@@ -202,4 +202,4 @@ TEST_F(OpeningCamera, DrawnALittleAtATimeIsTheSame) {
 }
 
 }  // namespace
-}  // namespace fenestra::tests
+}  // namespace fenestra::tests::openingCameraTest

@@ -6,7 +6,7 @@
 #include "tests/gl/GlTest.h"
 #include "tests/gl/SceneKinds.h"
 
-namespace fenestra::tests {
+namespace fenestra::tests::peeledTest {
 namespace {
 
 constexpr glm::ivec2 size{64, 56};
@@ -201,4 +201,4 @@ TEST_F(Peeled, TheFocusShowsWholeFromItsSide) {
 }
 
 }  // namespace
-}  // namespace fenestra::tests
+}  // namespace fenestra::tests::peeledTest

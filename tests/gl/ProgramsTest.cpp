@@ -14,7 +14,7 @@
 #include "tests/gl/DrawnKinds.h"
 #include "tests/gl/GlTest.h"
 
-namespace fenestra::tests {
+namespace fenestra::tests::programsTest {
 namespace {
 
 namespace fs = std::filesystem;
@@ -268,4 +268,4 @@ TEST_F(ProgramsTest, TilesAndSchedulesDrawTheSamePictureInEveryKindOfScene) {
 }
 
 }  // namespace
-}  // namespace fenestra::tests
+}  // namespace fenestra::tests::programsTest

@@ -5,7 +5,7 @@
 #include "rendering/reference/Picture.h"
 #include "tests/gl/MadeOpening.h"
 
-namespace fenestra::tests {
+namespace fenestra::tests::protectedLayerPassTest {
 namespace {
 
 using Sampling = FocusLayerPass::Sampling;
@@ -133,4 +133,4 @@ TEST_F(ProtectedLayerPassTest, PartsMakeTheWhole) {
 }
 
 }  // namespace
-}  // namespace fenestra::tests
+}  // namespace fenestra::tests::protectedLayerPassTest

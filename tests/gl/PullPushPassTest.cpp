@@ -4,7 +4,7 @@
 
 #include "tests/gl/PassTest.h"
 
-namespace fenestra::tests {
+namespace fenestra::tests::pullPushPassTest {
 namespace {
 
 constexpr float greatest = 150.0f;  // mm from the rays' anchor
@@ -103,4 +103,4 @@ TEST_F(PullPushPassTest, KeepsBothPyramidsUntilReleased) {
 }
 
 }  // namespace
-}  // namespace fenestra::tests
+}  // namespace fenestra::tests::pullPushPassTest

@@ -4,7 +4,7 @@
 #include "rendering/reference/Picture.h"
 #include "tests/gl/GlTest.h"
 
-namespace fenestra::tests {
+namespace fenestra::tests::qualityTest {
 namespace {
 
 constexpr glm::ivec2 size{64, 48};
@@ -223,4 +223,4 @@ TEST_F(QualityErrors, RaysEndAtTheBordersAndAnywhereInside) {
 }
 
 }  // namespace
-}  // namespace fenestra::tests
+}  // namespace fenestra::tests::qualityTest

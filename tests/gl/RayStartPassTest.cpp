@@ -5,7 +5,7 @@
 #include "rendering/passes/DistanceMapPass.h"
 #include "tests/gl/PassTest.h"
 
-namespace fenestra::tests {
+namespace fenestra::tests::rayStartPassTest {
 namespace {
 
 constexpr double openWidth = 9.0;
@@ -119,4 +119,4 @@ TEST_F(RayStartPassTest, RaysThatMeetNothingStartNowhere) {
 }
 
 }  // namespace
-}  // namespace fenestra::tests
+}  // namespace fenestra::tests::rayStartPassTest

@@ -4,7 +4,7 @@
 #include "rendering/reference/Picture.h"
 #include "tests/gl/GlTest.h"
 
-namespace fenestra::tests {
+namespace fenestra::tests::reconstructionTest {
 namespace {
 
 constexpr glm::ivec2 size{64, 52};
@@ -145,4 +145,4 @@ TEST_F(ReconstructionTest, WithoutRoomValuesAreTrilinearAndANoticeSaysSo) {
 }
 
 }  // namespace
-}  // namespace fenestra::tests
+}  // namespace fenestra::tests::reconstructionTest

@@ -6,7 +6,7 @@
 #include "tests/gl/GlTest.h"
 #include "tests/gl/SceneKinds.h"
 
-namespace fenestra::tests {
+namespace fenestra::tests::removalTest {
 namespace {
 
 constexpr glm::ivec2 size{80, 66};
@@ -166,4 +166,4 @@ TEST_F(RemovalTest, OfEverythingLeaveNothing) {
 }
 
 }  // namespace
-}  // namespace fenestra::tests
+}  // namespace fenestra::tests::removalTest

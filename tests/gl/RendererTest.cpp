@@ -6,7 +6,7 @@
 
 #include "tests/gl/GlTest.h"
 
-namespace fenestra::tests {
+namespace fenestra::tests::rendererTest {
 namespace {
 
 constexpr glm::ivec2 size{120, 100};
@@ -467,4 +467,4 @@ TEST_F(Passes, PickingFindsWhatAPixelShows) {
 }
 
 }  // namespace
-}  // namespace fenestra::tests
+}  // namespace fenestra::tests::rendererTest

@@ -4,7 +4,7 @@
 #include "tests/gl/GlTest.h"
 #include "tests/gl/SceneKinds.h"
 
-namespace fenestra::tests {
+namespace fenestra::tests::scheduleTrialTest {
 namespace {
 
 class ScheduleTrial : public GlTest {
@@ -45,4 +45,4 @@ TEST_F(ScheduleTrial, TwoRefusedSchedulesAreAnError) {
 }
 
 }  // namespace
-}  // namespace fenestra::tests
+}  // namespace fenestra::tests::scheduleTrialTest

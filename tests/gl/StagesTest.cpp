@@ -2,7 +2,7 @@
 
 #include "tests/gl/GlTest.h"
 
-namespace fenestra::tests {
+namespace fenestra::tests::stagesTest {
 namespace {
 
 constexpr glm::ivec2 small{96, 80};
@@ -120,4 +120,4 @@ TEST_F(Stages, EveryVoxelType) {
 }
 
 }  // namespace
-}  // namespace fenestra::tests
+}  // namespace fenestra::tests::stagesTest

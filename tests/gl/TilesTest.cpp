@@ -8,7 +8,7 @@
 #include "tests/gl/SameLayers.h"
 #include "tests/gl/SceneKinds.h"
 
-namespace fenestra::tests {
+namespace fenestra::tests::tilesTest {
 namespace {
 
 using Tiles = GlTest;
@@ -136,4 +136,4 @@ TEST_F(Tiles, AStepThatThrowsEndsThePictureAndTheNextOneIsRight) {
 }
 
 }  // namespace
-}  // namespace fenestra::tests
+}  // namespace fenestra::tests::tilesTest

@@ -5,7 +5,7 @@
 #include "rendering/reference/Walls.h"
 #include "tests/gl/PassTest.h"
 
-namespace fenestra::tests {
+namespace fenestra::tests::wallPassTest {
 namespace {
 
 constexpr glm::ivec2 size{73, 58};
@@ -193,4 +193,4 @@ TEST_F(WallPassTest, OfUnusualValuesFromFarAway) {
 }
 
 }  // namespace
-}  // namespace fenestra::tests
+}  // namespace fenestra::tests::wallPassTest

@@ -16,7 +16,7 @@
 #include "viewer/panels/SliderSpin.h"
 #include "viewer/panels/StrokeList.h"
 
-namespace fenestra::viewer {
+namespace fenestra::viewer::brushWindowTest {
 namespace {
 
 /// The marked ball, opened around the marker, with the brush deep enough to close the opening.
@@ -388,4 +388,4 @@ TEST_F(FreshBrush, SaysThatNothingIsOpen) {
 }
 
 }  // namespace
-}  // namespace fenestra::viewer
+}  // namespace fenestra::viewer::brushWindowTest

@@ -23,7 +23,7 @@
 #include "viewer/panels/FocusPanel.h"
 #include "viewer/panels/LabelEditPanel.h"
 
-namespace fenestra::viewer {
+namespace fenestra::viewer::busyWindowTest {
 namespace {
 
 class BusyWindow : public Window {
@@ -183,4 +183,4 @@ TEST_F(BusyWindow, TheChipOfEachViewHasTheColourOfItsGrade) {
 }
 
 }  // namespace
-}  // namespace fenestra::viewer
+}  // namespace fenestra::viewer::busyWindowTest

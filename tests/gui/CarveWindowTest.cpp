@@ -15,7 +15,7 @@
 #include "viewer/panels/SliderSpin.h"
 #include "viewer/views/ScenePreparation.h"
 
-namespace fenestra::viewer {
+namespace fenestra::viewer::carveWindowTest {
 namespace {
 
 class CarveWindow : public Window {
@@ -225,4 +225,4 @@ TEST_F(CarveWindow, PressedBesideTheVolumeItDoesNothing) {
 }
 
 }  // namespace
-}  // namespace fenestra::viewer
+}  // namespace fenestra::viewer::carveWindowTest

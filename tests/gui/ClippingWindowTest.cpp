@@ -9,7 +9,7 @@
 #include "tests/gui/WindowFixture.h"
 #include "viewer/panels/ClippingPanel.h"
 
-namespace fenestra::viewer {
+namespace fenestra::viewer::clippingWindowTest {
 namespace {
 
 using Kind = ClipTool::Handle::Kind;
@@ -225,4 +225,4 @@ TEST_F(ClippingWindow, ALabelIsExempt) {
 }
 
 }  // namespace
-}  // namespace fenestra::viewer
+}  // namespace fenestra::viewer::clippingWindowTest

@@ -18,7 +18,7 @@
 #include "viewer/bars/NoticeBar.h"
 #include "viewer/panels/AppearancePanel.h"
 
-namespace fenestra::viewer {
+namespace fenestra::viewer::editorWindowTest {
 namespace {
 
 // A value and an opacity are read off a pixel of the plot, which is over 150 pixels wide and 50 high.
@@ -477,4 +477,4 @@ TEST_F(EditorWindow, AFocusOnValuesIsShownByValue) {
 }
 
 }  // namespace
-}  // namespace fenestra::viewer
+}  // namespace fenestra::viewer::editorWindowTest

@@ -15,7 +15,7 @@
 #include "viewer/panels/LabelEditPanel.h"
 #include "viewer/panels/RegionPanel.h"
 
-namespace fenestra::viewer {
+namespace fenestra::viewer::everyNoticeTest {
 namespace {
 
 class EveryNotice : public Window {
@@ -136,4 +136,4 @@ TEST_F(EveryNotice, OfALabelThatTakesFromOthers) {
 }
 
 }  // namespace
-}  // namespace fenestra::viewer
+}  // namespace fenestra::viewer::everyNoticeTest

@@ -16,7 +16,7 @@
 #include "viewer/bars/NoticeBar.h"
 #include "viewer/exports/Exports.h"
 
-namespace fenestra::viewer {
+namespace fenestra::viewer::exportWindowTest {
 namespace {
 
 namespace fs = std::filesystem;
@@ -109,4 +109,4 @@ TEST_F(Window, ExportsWhatIsShown) {
 }
 
 }  // namespace
-}  // namespace fenestra::viewer
+}  // namespace fenestra::viewer::exportWindowTest

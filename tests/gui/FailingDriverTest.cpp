@@ -9,7 +9,7 @@
 #include "viewer/bars/NoticeBar.h"
 #include "viewer/panels/CamerasPanel.h"
 
-namespace fenestra::viewer {
+namespace fenestra::viewer::failingDriverTest {
 namespace {
 
 /// A window whose user goes on working after OpenGL has failed.
@@ -171,4 +171,4 @@ TEST_F(ReducedWindow, NamesTheFactorAndShowsEveryVoxelInSlices) {
 }
 
 }  // namespace
-}  // namespace fenestra::viewer
+}  // namespace fenestra::viewer::failingDriverTest

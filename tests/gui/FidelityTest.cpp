@@ -7,7 +7,7 @@
 #include "rendering/segmentation/DrawnScene.h"
 #include "viewer/model/Fidelity.h"
 
-namespace fenestra::viewer {
+namespace fenestra::viewer::fidelityTest {
 namespace {
 
 /// A bounded picture of a small volume that nothing alters.
@@ -175,4 +175,4 @@ TEST(Fidelity, AnnouncementsAlterNothing) {
 }
 
 }  // namespace
-}  // namespace fenestra::viewer
+}  // namespace fenestra::viewer::fidelityTest

@@ -21,7 +21,7 @@
 #include "tests/support/TestData.h"
 #include "viewer/model/Paths.h"
 
-namespace fenestra::viewer {
+namespace fenestra::viewer::firstMinuteTest {
 namespace {
 
 namespace fs = std::filesystem;
@@ -242,4 +242,4 @@ TEST_F(LabelledFirstMinute, AKidneyOfAPhantom) {
 }
 
 }  // namespace
-}  // namespace fenestra::viewer
+}  // namespace fenestra::viewer::firstMinuteTest

@@ -10,7 +10,7 @@
 #include "viewer/panels/CutawayPanel.h"
 #include "viewer/panels/SliderSpin.h"
 
-namespace fenestra::viewer {
+namespace fenestra::viewer::freezeWindowTest {
 namespace {
 
 class FreezeWindow : public Window {
@@ -94,4 +94,4 @@ TEST_F(FreezeWindow, ThePanelTiltsTheOpening) {
 }
 
 }  // namespace
-}  // namespace fenestra::viewer
+}  // namespace fenestra::viewer::freezeWindowTest

@@ -10,7 +10,7 @@
 #include "viewer/model/LookLibrary.h"
 #include "viewer/model/ValueHistogram.h"
 
-namespace fenestra::viewer {
+namespace fenestra::viewer::functionEditTest {
 namespace {
 
 namespace fs = std::filesystem;
@@ -173,4 +173,4 @@ TEST(LookLibraryTest, WithoutAFolderNothingIsKept) {
 }
 
 }  // namespace
-}  // namespace fenestra::viewer
+}  // namespace fenestra::viewer::functionEditTest

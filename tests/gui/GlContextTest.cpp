@@ -14,7 +14,7 @@
 #include "tests/gui/WindowFixture.h"
 #include "viewer/views/GlContext.h"
 
-namespace fenestra::viewer {
+namespace fenestra::viewer::glContextTest {
 namespace {
 
 TEST(GlContext, MakesObjectsOnAnotherThread) {
@@ -77,4 +77,4 @@ TEST(GlContext, StopsWorkBehindWhenTheWindowNeedsIt) {
 }
 
 }  // namespace
-}  // namespace fenestra::viewer
+}  // namespace fenestra::viewer::glContextTest

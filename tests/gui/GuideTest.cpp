@@ -23,7 +23,7 @@
 #include "viewer/guide/GuideWindow.h"
 #include "viewer/panels/SliderSpin.h"
 
-namespace fenestra::viewer {
+namespace fenestra::viewer::guideTest {
 namespace {
 
 /// Headings of the page that is shown, as they are in links.
@@ -241,4 +241,4 @@ TEST_F(GuideOfWindow, NamesMenusKeysAndPanelsThatThereAre) {
 }
 
 }  // namespace
-}  // namespace fenestra::viewer
+}  // namespace fenestra::viewer::guideTest

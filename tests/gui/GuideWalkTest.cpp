@@ -21,7 +21,7 @@
 #include "viewer/guide/Tour.h"
 #include "viewer/panels/CutawayPanel.h"
 
-namespace fenestra::viewer {
+namespace fenestra::viewer::guideWalkTest {
 namespace {
 
 /// Least likeness of a fresh picture to the stored one. On one machine the palette of the stored pictures leaves 0.996,
@@ -167,4 +167,4 @@ TEST_F(GuideWalk, ThePanelsAreThoseOfTheGuide) {
 }
 
 }  // namespace
-}  // namespace fenestra::viewer
+}  // namespace fenestra::viewer::guideWalkTest

@@ -10,7 +10,7 @@
 
 #include "viewer/model/Document.h"
 
-namespace fenestra::viewer {
+namespace fenestra::viewer::historyTest {
 namespace {
 
 io::Study study() {
@@ -375,4 +375,4 @@ TEST(History, AFocusBesideAnEditOfLabelsIsCounted) {
 }
 
 }  // namespace
-}  // namespace fenestra::viewer
+}  // namespace fenestra::viewer::historyTest

@@ -10,7 +10,7 @@
 #include "tests/gui/WindowFixture.h"
 #include "viewer/style/Style.h"
 
-namespace fenestra::viewer {
+namespace fenestra::viewer::keyboardTest {
 namespace {
 
 class Keyboard : public Window {
@@ -94,4 +94,4 @@ TEST_F(Keyboard, TheFocusShows) {
 }
 
 }  // namespace
-}  // namespace fenestra::viewer
+}  // namespace fenestra::viewer::keyboardTest

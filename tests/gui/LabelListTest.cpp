@@ -10,7 +10,7 @@
 #include "viewer/panels/LabelList.h"
 #include "viewer/panels/LabelModel.h"
 
-namespace fenestra::viewer {
+namespace fenestra::viewer::labelListTest {
 namespace {
 
 class LabelListWindow : public Window {
@@ -262,4 +262,4 @@ TEST_F(LabelListWindow, TheShareThatIsSeenShowsOnceCamerasArePlaced) {
 }
 
 }  // namespace
-}  // namespace fenestra::viewer
+}  // namespace fenestra::viewer::labelListTest

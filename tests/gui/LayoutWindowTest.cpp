@@ -14,7 +14,7 @@
 #include "viewer/panels/LabelList.h"
 #include "viewer/style/Style.h"
 
-namespace fenestra::viewer {
+namespace fenestra::viewer::layoutWindowTest {
 namespace {
 
 /// The smallest screens that the window is made for: 1024 x 700, and 1920 x 1200 at twice the density.
@@ -173,4 +173,4 @@ TEST_F(Window, ResetLayoutBringsPanelsAndViewsBack) {
   EXPECT_EQ(volume(0)->size(), before);
 }
 
-}  // namespace fenestra::viewer
+}  // namespace fenestra::viewer::layoutWindowTest

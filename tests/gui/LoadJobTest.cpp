@@ -13,7 +13,7 @@
 
 #include "viewer/jobs/LoadJob.h"
 
-namespace fenestra::viewer {
+namespace fenestra::viewer::loadJobTest {
 namespace {
 
 constexpr int patience = 5000;  ///< ms; reached only when something hangs
@@ -125,4 +125,4 @@ TEST(LoadJob, AHeldOutcomeWaitsAndAnotherJobTakesItsPlace) {
 }
 
 }  // namespace
-}  // namespace fenestra::viewer
+}  // namespace fenestra::viewer::loadJobTest

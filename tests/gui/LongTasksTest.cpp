@@ -15,7 +15,7 @@
 #include "viewer/files/FileOpener.h"
 #include "viewer/panels/AppearancePanel.h"
 
-namespace fenestra::viewer {
+namespace fenestra::viewer::longTasksTest {
 namespace {
 
 namespace fs = std::filesystem;
@@ -152,4 +152,4 @@ TEST_F(LongTasks, PicturesOfPresetsAreDrawnWhileTheWindowAnswers) {
             allowed);
 }
 
-}  // namespace fenestra::viewer
+}  // namespace fenestra::viewer::longTasksTest

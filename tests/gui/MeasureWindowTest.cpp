@@ -18,7 +18,7 @@
 #include "viewer/files/Sessions.h"
 #include "viewer/model/MeasureText.h"
 
-namespace fenestra::viewer {
+namespace fenestra::viewer::measureWindowTest {
 namespace {
 
 class MeasureWindow : public Window {
@@ -286,4 +286,4 @@ TEST(MeasureDrawing, TextStaysOffTheLineWhereverItPoints) {
 }
 
 }  // namespace
-}  // namespace fenestra::viewer
+}  // namespace fenestra::viewer::measureWindowTest

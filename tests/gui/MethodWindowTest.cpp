@@ -13,7 +13,7 @@
 #include "viewer/panels/ImportanceList.h"
 #include "viewer/panels/SliderSpin.h"
 
-namespace fenestra::viewer {
+namespace fenestra::viewer::methodWindowTest {
 namespace {
 
 class MethodWindow : public Window {
@@ -537,4 +537,4 @@ TEST_F(MethodWindow, TextsAreTranslated) {
 }
 
 }  // namespace
-}  // namespace fenestra::viewer
+}  // namespace fenestra::viewer::methodWindowTest

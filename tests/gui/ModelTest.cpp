@@ -21,7 +21,7 @@
 #include "viewer/model/StrokeMode.h"
 #include "viewer/model/ViewLink.h"
 
-namespace fenestra::viewer {
+namespace fenestra::viewer::modelTest {
 namespace {
 
 /// For lengths and directions of order 1 to 1000 mm after a few rotations in double precision.
@@ -553,4 +553,4 @@ TEST(FramePacer, TellsTheLastFrameAndForgetsWhatAnotherQualityCost) {
 }
 
 }  // namespace
-}  // namespace fenestra::viewer
+}  // namespace fenestra::viewer::modelTest

@@ -25,7 +25,7 @@
 
 #include "tests/gui/WindowFixture.h"
 
-namespace fenestra::viewer {
+namespace fenestra::viewer::monkeyTest {
 namespace {
 
 int eventCount() {
@@ -329,4 +329,4 @@ TEST_P(Monkey, TheWindowSurvivesAndAnswers) {
 
 INSTANTIATE_TEST_SUITE_P(Seeds, Monkey, testing::Values(1u, 2u, 3u, 4u, 5u));
 
-}  // namespace fenestra::viewer
+}  // namespace fenestra::viewer::monkeyTest

@@ -10,7 +10,7 @@
 
 #include "viewer/bars/NoticeBar.h"
 
-namespace fenestra::viewer {
+namespace fenestra::viewer::noticeBarTest {
 namespace {
 
 using Kind = NoticeBar::Kind;
@@ -104,4 +104,4 @@ TEST_F(Notices, AReadersFirstWarningStandsAboveItsOthers) {
 }
 
 }  // namespace
-}  // namespace fenestra::viewer
+}  // namespace fenestra::viewer::noticeBarTest

@@ -4,7 +4,7 @@
 
 #include "viewer/model/NumberText.h"
 
-namespace fenestra::viewer {
+namespace fenestra::viewer::numberTextTest {
 namespace {
 
 TEST(NumberText, VolumesHaveThreeDigitsAndNoExponents) {
@@ -32,4 +32,4 @@ TEST(NumberText, UnitsFitTheirFields) {
 }
 
 }  // namespace
-}  // namespace fenestra::viewer
+}  // namespace fenestra::viewer::numberTextTest

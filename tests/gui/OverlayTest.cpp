@@ -14,7 +14,7 @@
 #include "tests/gui/WindowFixture.h"
 #include "viewer/style/Overlay.h"
 
-namespace fenestra::viewer {
+namespace fenestra::viewer::overlayTest {
 namespace {
 
 /// Relative luminance of an sRGB colour (WCAG 2.1).
@@ -319,4 +319,4 @@ TEST(Overlay, TextOfTheStudyStaysInTheUpperThirdOfAView) {
 }
 
 }  // namespace
-}  // namespace fenestra::viewer
+}  // namespace fenestra::viewer::overlayTest

@@ -16,7 +16,7 @@
 #include "viewer/views/GlContext.h"
 #include "viewer/views/PictureSurface.h"
 
-namespace fenestra::viewer {
+namespace fenestra::viewer::pictureSurfaceTest {
 namespace {
 
 /// A ball away from the middle, over a background that changes from bottom to top: no picture of it is symmetric.
@@ -108,4 +108,4 @@ TEST_F(Surfaces, EnlargeAPictureOfFewPixelsInTheSameWay) {
 }
 
 }  // namespace
-}  // namespace fenestra::viewer
+}  // namespace fenestra::viewer::pictureSurfaceTest

@@ -18,7 +18,7 @@
 #include "viewer/exports/PictureExports.h"
 #include "viewer/model/Paths.h"
 
-namespace fenestra::viewer {
+namespace fenestra::viewer::pictureWindowTest {
 namespace fs = std::filesystem;
 namespace {
 
@@ -279,4 +279,4 @@ TEST_F(PictureWindow, TheDialogKeepsTheViewsShape) {
   EXPECT_NEAR(dialog.request().scale, 1.0, 0.01);
 }
 
-}  // namespace fenestra::viewer
+}  // namespace fenestra::viewer::pictureWindowTest

@@ -13,7 +13,7 @@
 #include "viewer/panels/SliderSpin.h"
 #include "viewer/panels/SphereMap.h"
 
-namespace fenestra::viewer {
+namespace fenestra::viewer::placedWindowTest {
 namespace {
 
 /// The marked ball with the marker in focus and both cameras placed for it.
@@ -228,4 +228,4 @@ TEST_F(PlacedWindow, AClickOnASlicePlacesTheCamerasForItsPoint) {
 }
 
 }  // namespace
-}  // namespace fenestra::viewer
+}  // namespace fenestra::viewer::placedWindowTest

@@ -18,7 +18,7 @@
 #include "viewer/model/PlacementController.h"
 #include "viewer/model/Preferences.h"
 
-namespace fenestra::viewer {
+namespace fenestra::viewer::placementTest {
 namespace {
 
 constexpr double tolerance = 1e-9;  ///< error of unit vectors after a few operations in double precision
@@ -462,4 +462,4 @@ TEST_F(Picking, WithoutTheModeAPickDoesNothing) {
 }
 
 }  // namespace
-}  // namespace fenestra::viewer
+}  // namespace fenestra::viewer::placementTest

@@ -16,7 +16,7 @@
 #include "viewer/model/Preferences.h"
 #include "viewer/panels/AppearancePanel.h"
 
-namespace fenestra::viewer {
+namespace fenestra::viewer::presetWindowTest {
 namespace {
 
 namespace fs = std::filesystem;
@@ -317,4 +317,4 @@ TEST_F(PresetWindow, AListThatIsOpenWhenTheWindowGoesIsNoProblem) {
 }
 
 }  // namespace
-}  // namespace fenestra::viewer
+}  // namespace fenestra::viewer::presetWindowTest

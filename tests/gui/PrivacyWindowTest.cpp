@@ -29,7 +29,7 @@
 #include "viewer/model/Paths.h"
 #include "viewer/panels/FileDialog.h"
 
-namespace fenestra::viewer {
+namespace fenestra::viewer::privacyWindowTest {
 namespace {
 
 namespace fs = std::filesystem;
@@ -262,4 +262,4 @@ TEST_F(PrivacyWindow, AFolderNamedAfterItsPatientIsNotShown) {
   EXPECT_FALSE(secretsIn(textsIn(*window_).toStdString()).empty());
 }
 
-}  // namespace fenestra::viewer
+}  // namespace fenestra::viewer::privacyWindowTest

@@ -15,7 +15,7 @@
 #include "tests/support/LargeVolume.h"
 #include "tests/support/TestData.h"
 
-namespace fenestra::viewer {
+namespace fenestra::viewer::programTest {
 namespace {
 
 struct Ended {
@@ -150,4 +150,4 @@ TEST(Program, SaysThatThereIsNoDisplay) {
 }
 
 }  // namespace
-}  // namespace fenestra::viewer
+}  // namespace fenestra::viewer::programTest

@@ -16,7 +16,7 @@
 #include "viewer/model/RegionText.h"
 #include "viewer/model/StructureClick.h"
 
-namespace fenestra::viewer {
+namespace fenestra::viewer::regionTest {
 namespace {
 
 constexpr int patience = 30000;  ///< ms; reached only when something hangs
@@ -464,4 +464,4 @@ TEST_F(Regions, ARegionForWhichNoLabelIsLeftIsAnError) {
 }
 
 }  // namespace
-}  // namespace fenestra::viewer
+}  // namespace fenestra::viewer::regionTest

@@ -17,7 +17,7 @@
 #include "viewer/panels/RegionPanel.h"
 #include "viewer/panels/SliderSpin.h"
 
-namespace fenestra::viewer {
+namespace fenestra::viewer::regionWindowTest {
 namespace {
 
 namespace fs = std::filesystem;
@@ -451,4 +451,4 @@ TEST_F(RegionWindow, GrowsASinusOfARealHead) {
 }
 
 }  // namespace
-}  // namespace fenestra::viewer
+}  // namespace fenestra::viewer::regionWindowTest

@@ -17,7 +17,7 @@
 #include "viewer/dialogs/SpacingDialog.h"
 #include "viewer/style/Style.h"
 
-namespace fenestra::viewer {
+namespace fenestra::viewer::screenshotsTest {
 namespace {
 
 const QSize sizes[] = {{1024, 700}, {1366, 768}, {1600, 1000}, {1920, 1080}, {1920, 1200}};
@@ -134,4 +134,4 @@ TEST_F(Screenshots, Notices) {
 }
 
 }  // namespace
-}  // namespace fenestra::viewer
+}  // namespace fenestra::viewer::screenshotsTest

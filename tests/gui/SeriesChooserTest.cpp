@@ -10,7 +10,7 @@
 #include "tests/support/TestData.h"
 #include "viewer/dialogs/SeriesChooser.h"
 
-namespace fenestra::viewer {
+namespace fenestra::viewer::seriesChooserTest {
 namespace {
 
 namespace fs = std::filesystem;
@@ -100,4 +100,4 @@ TEST(SeriesChooser, AnswersWithAnotherSeriesOnly) {
 }
 
 }  // namespace
-}  // namespace fenestra::viewer
+}  // namespace fenestra::viewer::seriesChooserTest

@@ -15,7 +15,7 @@
 #include "tests/gui/SessionWindowFixture.h"
 #include "viewer/panels/LabelEditPanel.h"
 
-namespace fenestra::viewer {
+namespace fenestra::viewer::sessionSafetyTest {
 namespace {
 
 TEST_F(SessionWindow, AsksBeforeWorkIsLost) {
@@ -287,4 +287,4 @@ TEST_F(SessionWindow, ABrokenSessionIsOneNoticeAndNothingElse) {
 }
 
 }  // namespace
-}  // namespace fenestra::viewer
+}  // namespace fenestra::viewer::sessionSafetyTest

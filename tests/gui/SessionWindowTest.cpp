@@ -3,7 +3,7 @@
 
 #include "tests/gui/SessionWindowFixture.h"
 
-namespace fenestra::viewer {
+namespace fenestra::viewer::sessionWindowTest {
 namespace {
 
 TEST_F(SessionWindow, SavedAndReopenedShowsTheSamePictures) {
@@ -198,4 +198,4 @@ TEST_F(SessionWindow, ARegionWithinABallIsGrownAgain) {
 }
 
 }  // namespace
-}  // namespace fenestra::viewer
+}  // namespace fenestra::viewer::sessionWindowTest

@@ -15,7 +15,7 @@
 #include "viewer/files/Sessions.h"
 #include "viewer/model/SettingOwners.h"
 
-namespace fenestra::viewer {
+namespace fenestra::viewer::settingOwnersTest {
 namespace {
 
 TEST(SettingOwners, TheUserGuideHasTheSameTable) {
@@ -241,4 +241,4 @@ TEST_F(SettingOwnersWindow, ASessionsHabitsEndWithIt) {
 }
 
 }  // namespace
-}  // namespace fenestra::viewer
+}  // namespace fenestra::viewer::settingOwnersTest

@@ -17,7 +17,7 @@
 #include "viewer/files/Sessions.h"
 #include "viewer/panels/ColourButton.h"
 
-namespace fenestra::viewer {
+namespace fenestra::viewer::settingsDialogTest {
 namespace {
 
 class Settings : public Window {
@@ -109,4 +109,4 @@ TEST_F(Settings, TakeEffectAtOnce) {
 }
 
 }  // namespace
-}  // namespace fenestra::viewer
+}  // namespace fenestra::viewer::settingsDialogTest

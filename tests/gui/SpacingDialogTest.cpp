@@ -15,7 +15,7 @@
 #include "viewer/dialogs/SpacingDialog.h"
 #include "viewer/files/Sessions.h"
 
-namespace fenestra::viewer {
+namespace fenestra::viewer::spacingDialogTest {
 namespace {
 
 class SpacingWindow : public Window {};
@@ -103,4 +103,4 @@ TEST_F(SpacingWindow, ASizeThatWasSaidWronglyIsCorrectedInTheMenu) {
 }
 
 }  // namespace
-}  // namespace fenestra::viewer
+}  // namespace fenestra::viewer::spacingDialogTest

@@ -23,7 +23,7 @@
 #include "viewer/panels/FocusPanel.h"
 #include "viewer/panels/LabelList.h"
 
-namespace fenestra::viewer {
+namespace fenestra::viewer::studyChangeTest {
 namespace {
 
 /// A study whose pictures, in all five views, show much of one pure colour: red, green or blue.
@@ -260,4 +260,4 @@ TEST_F(StudyChange, ADoubleClickBringsBackNothingOfTheStudyBefore) {
 }
 
 }  // namespace
-}  // namespace fenestra::viewer
+}  // namespace fenestra::viewer::studyChangeTest

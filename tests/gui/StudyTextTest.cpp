@@ -19,7 +19,7 @@
 #include "viewer/files/Sessions.h"
 #include "viewer/model/PatientLines.h"
 
-namespace fenestra::viewer {
+namespace fenestra::viewer::studyTextTest {
 namespace {
 
 io::PatientText somebody() { return {"Vermeer^Johanna^Maria", "QX-4711", "F", "19500102"}; }
@@ -238,4 +238,4 @@ TEST_F(StudyWindow, NamesWhatIsUnderTheMouseIn3DToo) {
 }
 
 }  // namespace
-}  // namespace fenestra::viewer
+}  // namespace fenestra::viewer::studyTextTest

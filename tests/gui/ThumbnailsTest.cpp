@@ -13,7 +13,7 @@
 #include "tests/support/TestData.h"
 #include "viewer/jobs/Thumbnails.h"
 
-namespace fenestra::viewer {
+namespace fenestra::viewer::thumbnailsTest {
 namespace {
 
 namespace fs = std::filesystem;
@@ -75,4 +75,4 @@ TEST(Thumbnails, StopWhenNobodyNeedsThem) {
 }
 
 }  // namespace
-}  // namespace fenestra::viewer
+}  // namespace fenestra::viewer::thumbnailsTest

@@ -26,7 +26,7 @@
 #include "tests/gui/PseudoLocale.h"
 #include "tests/gui/WindowFixture.h"
 
-namespace fenestra::viewer {
+namespace fenestra::viewer::translationTest {
 namespace {
 
 /// The words of a text outside of marks that are no data, key or symbol.
@@ -255,4 +255,4 @@ TEST_F(PseudoWindow, LongTextsAreNotCut) {
 }
 
 }  // namespace
-}  // namespace fenestra::viewer
+}  // namespace fenestra::viewer::translationTest

@@ -16,7 +16,7 @@
 #include "viewer/files/Sessions.h"
 #include "viewer/model/UserWork.h"
 
-namespace fenestra::viewer {
+namespace fenestra::viewer::unsavedWorkTest {
 namespace {
 
 namespace fs = std::filesystem;
@@ -182,4 +182,4 @@ TEST(EndingProgram, EndsInOrderByTheSystemsSignals) {
 }
 
 }  // namespace
-}  // namespace fenestra::viewer
+}  // namespace fenestra::viewer::unsavedWorkTest

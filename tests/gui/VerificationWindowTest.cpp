@@ -13,7 +13,7 @@
 #include "viewer/bars/NoticeBar.h"
 #include "viewer/exports/Verification.h"
 
-namespace fenestra::viewer {
+namespace fenestra::viewer::verificationWindowTest {
 namespace {
 
 class VerificationWindow : public Window {
@@ -105,4 +105,4 @@ TEST_F(VerificationWindow, WithoutA3DViewOnScreenItSaysSo) {
 }
 
 }  // namespace
-}  // namespace fenestra::viewer
+}  // namespace fenestra::viewer::verificationWindowTest

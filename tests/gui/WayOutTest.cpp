@@ -8,7 +8,7 @@
 #include "tests/gui/WindowFixture.h"
 #include "viewer/model/WayOutText.h"
 
-namespace fenestra::viewer {
+namespace fenestra::viewer::wayOutTest {
 namespace {
 
 class WayOutWindow : public Window {
@@ -66,4 +66,4 @@ TEST_F(WayOutWindow, ErrorsOfReadersSpeakOfTheWindow) {
 }
 
 }  // namespace
-}  // namespace fenestra::viewer
+}  // namespace fenestra::viewer::wayOutTest

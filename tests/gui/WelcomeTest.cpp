@@ -20,7 +20,7 @@
 #include "viewer/guide/Tour.h"
 #include "viewer/guide/WelcomePage.h"
 
-namespace fenestra::viewer {
+namespace fenestra::viewer::welcomeTest {
 namespace {
 
 io::Study torso() {
@@ -229,4 +229,4 @@ TEST_F(GuidedTour, ShowsNoUntranslatedText) {
 }
 
 }  // namespace
-}  // namespace fenestra::viewer
+}  // namespace fenestra::viewer::welcomeTest

@@ -34,7 +34,7 @@
 #include "viewer/panels/FocusPanel.h"
 #include "viewer/panels/LabelList.h"
 
-namespace fenestra::viewer {
+namespace fenestra::viewer::windowDataTest {
 namespace {
 
 TEST_F(Window, ABrokenFileIsToldAndTheOldStudyStays) {
@@ -451,4 +451,4 @@ TEST(WindowWithoutOpenGl, ExplainsItselfAndKeepsTheSlices) {
 }
 
 }  // namespace
-}  // namespace fenestra::viewer
+}  // namespace fenestra::viewer::windowDataTest

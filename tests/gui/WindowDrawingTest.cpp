@@ -19,7 +19,7 @@
 #include "viewer/panels/FocusPanel.h"
 #include "viewer/panels/SliderSpin.h"
 
-namespace fenestra::viewer {
+namespace fenestra::viewer::windowDrawingTest {
 namespace {
 
 TEST_F(Window, WhatChangesWhilePicturesAreDrawnIsShownWithThem) {
@@ -246,4 +246,4 @@ TEST_F(Window, ThePictureAtRestIsThatOfOneRun) {
 }
 
 }  // namespace
-}  // namespace fenestra::viewer
+}  // namespace fenestra::viewer::windowDrawingTest

@@ -22,7 +22,7 @@
 #include "viewer/panels/LabelList.h"
 #include "viewer/panels/SliderSpin.h"
 
-namespace fenestra::viewer {
+namespace fenestra::viewer::windowTest {
 namespace {
 
 enum class Side { Negative, Middle, Positive };
@@ -347,4 +347,4 @@ TEST_F(Window, ASwitchShowsAndHidesTheTable) {
 }
 
 }  // namespace
-}  // namespace fenestra::viewer
+}  // namespace fenestra::viewer::windowTest

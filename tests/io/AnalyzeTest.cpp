@@ -6,7 +6,7 @@
 #include "tests/io/IoTesting.h"
 #include "tests/support/TestData.h"
 
-namespace fenestra::tests {
+namespace fenestra::tests::analyzeTest {
 namespace fs = std::filesystem;
 using io::Warning;
 
@@ -95,4 +95,4 @@ TEST(Analyze, DamagedFilesAreErrors) {
   EXPECT_NE(errorOf([&] { io::openVolume(folder / "a.hdr"); }).find("dimension of no length"), std::string::npos);
 }
 
-}  // namespace fenestra::tests
+}  // namespace fenestra::tests::analyzeTest

@@ -12,7 +12,7 @@
 #include "tests/io/LabelFiles.h"
 #include "tests/support/TestData.h"
 
-namespace fenestra::tests {
+namespace fenestra::tests::archiveTest {
 namespace fs = std::filesystem;
 
 namespace {
@@ -241,4 +241,4 @@ TEST_F(Archive, UnpackingCanBeCancelled) {
   EXPECT_THROW(io::openVolume(folder_ / "a.zip", options), io::Cancelled);
 }
 
-}  // namespace fenestra::tests
+}  // namespace fenestra::tests::archiveTest

@@ -16,7 +16,7 @@
 #include "tests/io/DifferentialPlaces.h"
 #include "tests/support/TestData.h"
 
-namespace fenestra::tests {
+namespace fenestra::tests::dcm2niixTest {
 namespace fs = std::filesystem;
 
 namespace {
@@ -230,4 +230,4 @@ TEST(Dcm2niix, EveryDicomSeriesIsAsDcm2niixConvertsItOrARowSaysWhyNot) {
   EXPECT_GT(counts.agreeing, 40);
 }
 
-}  // namespace fenestra::tests
+}  // namespace fenestra::tests::dcm2niixTest

@@ -12,7 +12,7 @@
 #include "tests/io/IoTesting.h"
 #include "tests/support/TestData.h"
 
-namespace fenestra::tests {
+namespace fenestra::tests::defectsTest {
 namespace fs = std::filesystem;
 
 namespace {
@@ -96,4 +96,4 @@ TEST(DefectTable, HasManyKindsEachOfItsOwn) {
   EXPECT_GE(names.size(), 120u);
 }
 
-}  // namespace fenestra::tests
+}  // namespace fenestra::tests::defectsTest

@@ -78,6 +78,9 @@ Edit fragment(const std::function<std::string(std::string)>& how, bool ended) {
     value = fragments({part}, ended);
   });
 }
+Edit withoutEnd() {
+  return fragment([](const std::string& part) { return part.substr(0, part.rfind("\xff\xd9")); });
+}
 std::string element(std::uint32_t tag, const std::string& vr, const std::string& value) {
   return shortValue(static_cast<int>(tag >> 16)) + shortValue(static_cast<int>(tag & 0xffff)) + vr +
          shortValue(static_cast<int>(value.size())) + value;

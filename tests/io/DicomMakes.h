@@ -48,6 +48,8 @@ void asItIs(int slice, DicomSpec& spec);
 std::string fragments(const std::vector<std::string>& parts, bool ended = true);
 /// The one fragment of a compressed frame changed, with lengths that are right.
 Edit fragment(const std::function<std::string(std::string)>& how, bool ended = true);
+/// The one fragment without its last end of image or codestream (FFD9).
+Edit withoutEnd();
 
 /// An element with explicit VR and a short length; an item of a sequence.
 std::string element(std::uint32_t tag, const std::string& vr, const std::string& value);

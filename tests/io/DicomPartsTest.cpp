@@ -10,7 +10,7 @@
 #include "tests/io/IoTesting.h"
 #include "tests/support/TestData.h"
 
-namespace fenestra::tests {
+namespace fenestra::tests::dicomPartsTest {
 namespace fs = std::filesystem;
 using io::Warning;
 
@@ -301,4 +301,4 @@ TEST(DicomFlipAngle, OfEachSliceItsOwnDoesNotPartThem) {
   EXPECT_TRUE(opened.warnings.empty());
 }
 
-}  // namespace fenestra::tests
+}  // namespace fenestra::tests::dicomPartsTest

@@ -10,7 +10,7 @@
 #include "tests/io/IoTesting.h"
 #include "tests/support/TestData.h"
 
-namespace fenestra::tests {
+namespace fenestra::tests::dicomPlacesTest {
 namespace fs = std::filesystem;
 using io::Warning;
 
@@ -313,4 +313,4 @@ TEST_P(DicomPlaces, AreWhereTheStandardHasThem) {
 INSTANTIATE_TEST_SUITE_P(All, DicomPlaces, ::testing::ValuesIn(placeRows()),
                          [](const auto& test) { return test.param.name; });
 
-}  // namespace fenestra::tests
+}  // namespace fenestra::tests::dicomPlacesTest

@@ -10,7 +10,7 @@
 #include "tests/io/IoTesting.h"
 #include "tests/support/TestData.h"
 
-namespace fenestra::tests {
+namespace fenestra::tests::dicomTest {
 namespace fs = std::filesystem;
 using io::Warning;
 
@@ -505,4 +505,4 @@ TEST(Dicom, ProgressGrowsAndCancels) {
   }
 }
 
-}  // namespace fenestra::tests
+}  // namespace fenestra::tests::dicomTest

@@ -13,7 +13,7 @@
 #include "tests/io/IoTesting.h"
 #include "tests/support/TestData.h"
 
-namespace fenestra::tests {
+namespace fenestra::tests::dicomVariantsTest {
 namespace fs = std::filesystem;
 using io::Warning;
 
@@ -219,4 +219,4 @@ TEST(DicomVariants, FoldersThatCannotBeListedAreSaid) {
   EXPECT_NE(error.find("cannot be listed: Permission denied"), std::string::npos) << error;
 }
 
-}  // namespace fenestra::tests
+}  // namespace fenestra::tests::dicomVariantsTest

@@ -32,11 +32,11 @@ std::vector<fs::path> placesBelow(const fs::path& top) {
 
 }  // namespace
 
-const Difference* differenceAt(std::span<const Difference> rows, const fs::path& place) {
-  const auto row = std::find_if(rows.begin(), rows.end(), [&](const Difference& each) {
+const Difference* differenceAt(std::span<const Difference> differences, const fs::path& place) {
+  const auto row = std::find_if(differences.begin(), differences.end(), [&](const Difference& each) {
     return place.generic_string().find(each.path) != std::string::npos;
   });
-  return row == rows.end() ? nullptr : &*row;
+  return row == differences.end() ? nullptr : &*row;
 }
 
 std::vector<fs::path> dicomPlaces() {
@@ -66,7 +66,8 @@ std::vector<io::SeriesInfo> imageSeriesAt(const fs::path& place) {
   return {};
 }
 
-void compareSeries(const fs::path& place, const std::vector<io::SeriesInfo>& series, std::span<const Difference> rows,
+void compareSeries(const fs::path& place, const std::vector<io::SeriesInfo>& series,
+                   std::span<const Difference> differences,
                    const std::function<std::string(const io::OpenedVolume&)>& differenceOf,
                    DifferentialCounts& counts) {
   for (const io::SeriesInfo& info : series) {
@@ -77,7 +78,7 @@ void compareSeries(const fs::path& place, const std::vector<io::SeriesInfo>& ser
       ++counts.agreeing;
       continue;
     }
-    const Difference* why = differenceAt(rows, place);
+    const Difference* why = differenceAt(differences, place);
     if (!why) {
       ADD_FAILURE() << place << ", " << info.id << ": " << found;
       continue;

@@ -15,7 +15,7 @@
 #include "tests/io/GdcmPeer.h"
 #include "tests/support/TestData.h"
 
-namespace fenestra::tests {
+namespace fenestra::tests::differentialTest {
 namespace fs = std::filesystem;
 using io::Warning;
 
@@ -130,4 +130,4 @@ TEST(Differential, EveryDicomSeriesIsAsGdcmReadsItOrARowSaysWhyNot) {
   EXPECT_GT(counts.agreeing, 40);
 }
 
-}  // namespace fenestra::tests
+}  // namespace fenestra::tests::differentialTest

@@ -9,7 +9,7 @@
 #include "tests/io/IoTesting.h"
 #include "tests/support/TestData.h"
 
-namespace fenestra::tests {
+namespace fenestra::tests::hardDicomTest {
 namespace fs = std::filesystem;
 using io::Warning;
 
@@ -121,4 +121,4 @@ TEST(HardDicom, MagnitudeAndPhaseAreTwoVolumesWithTheirOwnGaps) {
     EXPECT_NE(textsOf(open(info).warnings).find("1 slice missing"), std::string::npos);
 }
 
-}  // namespace fenestra::tests
+}  // namespace fenestra::tests::hardDicomTest

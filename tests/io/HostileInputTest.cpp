@@ -14,7 +14,7 @@
 #include "tests/io/IoTesting.h"
 #include "tests/support/TestData.h"
 
-namespace fenestra::tests {
+namespace fenestra::tests::hostileInputTest {
 namespace fs = std::filesystem;
 
 namespace {
@@ -230,4 +230,4 @@ TEST(HostileInput, EndlesslyNestedHeadersAreRefused) {
   }
 }
 
-}  // namespace fenestra::tests
+}  // namespace fenestra::tests::hostileInputTest

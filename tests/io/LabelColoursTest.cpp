@@ -10,7 +10,7 @@
 #include "tests/io/IoTesting.h"
 #include "tests/support/TestData.h"
 
-namespace fenestra::tests {
+namespace fenestra::tests::labelColoursTest {
 namespace {
 
 bool isKnown(const std::string& name) { return io::labelColour(1, name) != defaultLabelColour(1); }
@@ -81,4 +81,4 @@ TEST(LabelColours, KnowEveryRegionOfTheBrain) {
 }
 
 }  // namespace
-}  // namespace fenestra::tests
+}  // namespace fenestra::tests::labelColoursTest

@@ -147,7 +147,7 @@ void writeRtStruct(const std::filesystem::path& path, const RtSpec& spec) {
   ASSERT_TRUE(saved.good()) << saved.text();
 }
 
-Grid gridOf(glm::ivec3 dims, glm::dvec3 origin, glm::dvec3 spacing) {
+Grid labelGrid(glm::ivec3 dims, glm::dvec3 origin, glm::dvec3 spacing) {
   Grid grid;
   grid.dims = dims;
   grid.origin = origin;

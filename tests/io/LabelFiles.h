@@ -63,7 +63,7 @@ struct RtSpec {
 };
 void writeRtStruct(const std::filesystem::path& path, const RtSpec& spec);
 
-Grid gridOf(glm::ivec3 dims, glm::dvec3 origin = glm::dvec3(0.0), glm::dvec3 spacing = glm::dvec3(1.0));
+Grid labelGrid(glm::ivec3 dims, glm::dvec3 origin = glm::dvec3(0.0), glm::dvec3 spacing = glm::dvec3(1.0));
 std::vector<int> valuesOf(const LabelMap& map);
 /// Fails the test where two maps differ in a voxel; says how many do.
 void expectSameLabels(const LabelMap& actual, const LabelMap& expected);

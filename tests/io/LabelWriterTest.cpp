@@ -18,7 +18,7 @@
 #include "tests/io/LabelFiles.h"
 #include "tests/support/TestData.h"
 
-namespace fenestra::tests {
+namespace fenestra::tests::labelWriterTest {
 namespace fs = std::filesystem;
 
 namespace {
@@ -26,7 +26,7 @@ namespace {
 /// Labels 1 to 3 on an oblique, sheared, mirrored grid of 7 x 5 x 4 voxels; 2 has a name that NRRD must escape.
 LabelMap sampleLabels() {
   LabelMap map;
-  map.grid = gridOf({7, 5, 4}, {-12.25, 30.5, 101.125}, {0.7, 0.9, 2.5});
+  map.grid = labelGrid({7, 5, 4}, {-12.25, 30.5, 101.125}, {0.7, 0.9, 2.5});
   const glm::dvec3 step = glm::normalize(glm::dvec3(0.1, -0.3, -2.0));
   map.grid.direction = {glm::dvec3(0.8, 0.6, 0), glm::dvec3(-0.6, 0.8, 0), step};
   map.labels = {{1, "Leber", {1, 0.5, 0}}, {2, "a\\b größer", {0.1, 0.2, 0.9}}, {3, "third", {0, 1, 0}}};
@@ -162,4 +162,4 @@ TEST(LabelWriter, WhatCannotBeWrittenSaysWhyAndLeavesNothing) {
   EXPECT_TRUE(fs::is_empty(folder));
 }
 
-}  // namespace fenestra::tests
+}  // namespace fenestra::tests::labelWriterTest

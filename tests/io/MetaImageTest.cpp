@@ -4,7 +4,7 @@
 #include "tests/io/IoTesting.h"
 #include "tests/support/TestData.h"
 
-namespace fenestra::tests {
+namespace fenestra::tests::metaImageTest {
 namespace fs = std::filesystem;
 
 namespace {
@@ -80,4 +80,4 @@ TEST(MetaImage, ModalityNamesTheUnit) {
   EXPECT_EQ(io::openVolume(path).volume->unit, "HU");
 }
 
-}  // namespace fenestra::tests
+}  // namespace fenestra::tests::metaImageTest

@@ -6,7 +6,7 @@
 #include "tests/io/MghBytes.h"
 #include "tests/support/TestData.h"
 
-namespace fenestra::tests {
+namespace fenestra::tests::mghTest {
 namespace fs = std::filesystem;
 using io::Warning;
 
@@ -108,4 +108,4 @@ TEST(Mgh, DamagedFilesAreErrors) {
   EXPECT_NE(errorFor(spec, 1000).find("no usable geometry"), std::string::npos);
 }
 
-}  // namespace fenestra::tests
+}  // namespace fenestra::tests::mghTest

@@ -9,7 +9,7 @@
 #include "tests/io/NiftiBytes.h"
 #include "tests/support/TestData.h"
 
-namespace fenestra::tests {
+namespace fenestra::tests::niftiTest {
 namespace fs = std::filesystem;
 using io::Warning;
 
@@ -179,4 +179,4 @@ TEST(Nifti, VectorsAndColoursAreRefused) {
   EXPECT_NE(errorOf([&] { io::openVolume(path); }).find("colours"), std::string::npos);
 }
 
-}  // namespace fenestra::tests
+}  // namespace fenestra::tests::niftiTest

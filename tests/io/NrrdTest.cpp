@@ -4,7 +4,7 @@
 #include "tests/io/IoTesting.h"
 #include "tests/support/TestData.h"
 
-namespace fenestra::tests {
+namespace fenestra::tests::nrrdTest {
 namespace fs = std::filesystem;
 using io::Warning;
 
@@ -146,4 +146,4 @@ TEST(Nrrd, ShowsTheFirstOfAListAndRefusesVectors) {
   EXPECT_NE(errorOf([&] { io::openVolume(path); }).find("rgb-color"), std::string::npos);
 }
 
-}  // namespace fenestra::tests
+}  // namespace fenestra::tests::nrrdTest

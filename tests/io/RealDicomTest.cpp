@@ -11,7 +11,7 @@
 #include "tests/io/IoTesting.h"
 #include "tests/support/TestData.h"
 
-namespace fenestra::tests {
+namespace fenestra::tests::realDicomTest {
 namespace fs = std::filesystem;
 using io::Warning;
 
@@ -436,4 +436,4 @@ TEST(RealDicom, ObjectsThatAreNoImagesAreRefused) {
         << name;
 }
 
-}  // namespace fenestra::tests
+}  // namespace fenestra::tests::realDicomTest

@@ -19,7 +19,7 @@
 #include "tests/io/IoTesting.h"
 #include "tests/support/TestData.h"
 
-namespace fenestra::tests {
+namespace fenestra::tests::realImageTest {
 namespace fs = std::filesystem;
 
 namespace {
@@ -379,4 +379,4 @@ TEST(RealImage, OverlappingSegmentsAreMergedAndSaid) {
   for (const Label& label : opened.labels->labels) EXPECT_FALSE(label.name.empty());
 }
 
-}  // namespace fenestra::tests
+}  // namespace fenestra::tests::realImageTest

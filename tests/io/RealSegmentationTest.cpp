@@ -26,7 +26,7 @@
 #include "tests/io/LabelFiles.h"
 #include "tests/support/TestData.h"
 
-namespace fenestra::tests {
+namespace fenestra::tests::realSegmentationTest {
 namespace fs = std::filesystem;
 
 namespace {
@@ -234,4 +234,4 @@ TEST(RealSegmentation, ContoursAreFilledAsTheirCrossingsSay) {
   expectFilled(*planned, 1, 0, body);
 }
 
-}  // namespace fenestra::tests
+}  // namespace fenestra::tests::realSegmentationTest

@@ -13,7 +13,7 @@
 #include "tests/io/IoTesting.h"
 #include "tests/support/TestData.h"
 
-namespace fenestra::tests {
+namespace fenestra::tests::regularTest {
 namespace fs = std::filesystem;
 using io::Regularise;
 using io::Warning;
@@ -328,4 +328,4 @@ TEST(Regular, AStackThatNoBoxHoldsIsRefusedOnlyWhenAsked) {
   EXPECT_EQ(open(folder, Regularise::Automatic).volume->grid.dims.x, 24);
 }
 
-}  // namespace fenestra::tests
+}  // namespace fenestra::tests::regularTest

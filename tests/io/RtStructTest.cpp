@@ -13,7 +13,7 @@
 #include "tests/io/LabelFiles.h"
 #include "tests/support/TestData.h"
 
-namespace fenestra::tests {
+namespace fenestra::tests::rtStructTest {
 namespace fs = std::filesystem;
 using io::Warning;
 
@@ -49,7 +49,7 @@ TEST(RtStruct, FillsHolesIslandsAndSeveralContoursByEvenOdd) {
                 "0\\128\\255",
                 {closed(rectangle(0.5, 0.5, 7.5, 7.5, 0)), closed(rectangle(2.5, 2.5, 5.5, 5.5, 0)),
                  closed(rectangle(3.5, 3.5, 4.5, 4.5, 0)), closed(rectangle(8.6, 0.6, 9.4, 1.4, 0))}}};
-  const io::OpenedLabels labels = opened(spec, gridOf({10, 9, 1}));
+  const io::OpenedLabels labels = opened(spec, labelGrid({10, 9, 1}));
   EXPECT_EQ(picture(*labels.labels, 0),
             "..........\n"
             ".3333333.3\n"
@@ -83,7 +83,7 @@ TEST(RtStruct, AKeyholeContourLeavesItsHoleOpen) {
                          {2.5, 2.5, 0},
                          {2.5, 3.2, 0},
                          {0.5, 3.2, 0}})}}};
-  EXPECT_EQ(picture(*opened(spec, gridOf({8, 8, 1})).labels, 0),
+  EXPECT_EQ(picture(*opened(spec, labelGrid({8, 8, 1})).labels, 0),
             "........\n"
             ".111111.\n"
             ".111111.\n"
@@ -106,7 +106,7 @@ TEST(RtStruct, ContoursThroughVoxelCentresGiveThoseVoxelsBack) {
                          {0.3333 * 6, 0.3333 * 4, 0},
                          {0.3333 * 2, 0.3333 * 4, 0}}),
                  closed(rectangle(0.3333 * 3, 0.3333 * 2, 0.3333 * 5, 0.3333 * 3, 0))}}};
-  EXPECT_EQ(picture(*opened(spec, gridOf({8, 6, 1}, glm::dvec3(0.0), glm::dvec3(1.0 / 3.0))).labels, 0),
+  EXPECT_EQ(picture(*opened(spec, labelGrid({8, 6, 1}, glm::dvec3(0.0), glm::dvec3(1.0 / 3.0))).labels, 0),
             "........\n"
             "..1111..\n"
             "..11111.\n"
@@ -122,7 +122,7 @@ TEST(RtStruct, SlicesTakeTheNearestContoursPlaneWithinReach) {
     spec.rois.resize(1), spec.rois[0].contours.push_back(closed(rectangle(-0.5, -0.5, 0.5, 0.5, z)));
   spec.rois[0].name = "stack";
   spec.rois.push_back({2, "one plane", "", {closed(rectangle(0.6, -0.5, 1.5, 0.5, 10.0))}});
-  const io::OpenedLabels labels = opened(spec, gridOf({2, 1, 40}, glm::dvec3(0.0), {1, 1, 0.5}));
+  const io::OpenedLabels labels = opened(spec, labelGrid({2, 1, 40}, glm::dvec3(0.0), {1, 1, 0.5}));
   for (int k = 0; k < 40; ++k) {
     const double z = 0.5 * k;
     const bool stack = (z >= 2.2 && z <= 8.2) || (z >= 12.2 && z <= 16.2);
@@ -146,7 +146,7 @@ TEST(RtStruct, ABallKeepsItsVolumeOnAlignedObliqueAndCoronalGrids) {
     }
     spec.rois[0].contours.push_back(closed(std::move(circle)));
   }
-  Grid axial = gridOf({50, 50, 50}, centre - 24.5);
+  Grid axial = labelGrid({50, 50, 50}, centre - 24.5);
   Grid coronal = axial;
   coronal.direction = glm::dmat3(glm::dvec3(1, 0, 0), glm::dvec3(0, 0, -1), glm::dvec3(0, 1, 0));
   coronal.origin = centre + glm::dvec3(-24.5, -24.5, 24.5);
@@ -186,7 +186,7 @@ TEST(RtStruct, TheSmallerOfOverlappingStructuresStays) {
   RtSpec spec;
   spec.rois = {{1, "lesion", "", {closed(rectangle(1.5, 0.5, 2.5, 1.5, 0))}},
                {2, "body", "", {closed(rectangle(-0.5, -0.5, 4.5, 2.5, 0))}}};
-  const io::OpenedLabels labels = opened(spec, gridOf({5, 3, 1}));
+  const io::OpenedLabels labels = opened(spec, labelGrid({5, 3, 1}));
   EXPECT_EQ(picture(*labels.labels, 0), "22222\n22122\n22222\n");
   const std::string text = warningOf(labels.warnings, Warning::Kind::Other).text;
   EXPECT_NE(text.find("overlap at 1 voxel;"), std::string::npos) << text;
@@ -200,7 +200,7 @@ TEST(RtStruct, OddNumbersOpenContoursAndEmptyStructures) {
                {70000, "large", "", {closed(rectangle(1.5, -0.5, 2.5, 0.5, 0))}},
                {5, "tilted", "", {closed({{0, 0, 0}, {4, 0, 0}, {4, 4, 3}})}},
                {2, "", "", {}}};
-  const io::OpenedLabels labels = opened(spec, gridOf({5, 1, 1}));
+  const io::OpenedLabels labels = opened(spec, labelGrid({5, 1, 1}));
   EXPECT_EQ(picture(*labels.labels, 0), "3.4..\n");
   EXPECT_EQ(labels.labels->find(3)->name, "negative");
   EXPECT_EQ(labels.labels->find(4)->name, "large");
@@ -224,8 +224,8 @@ TEST(RtStruct, EdgesBeyondCountEndInBoundedTime) {
   const fs::path path = scratchFolder() / "plan.dcm";
   writeRtStruct(path, spec);
   const auto start = std::chrono::steady_clock::now();
-  io::openLabels(path, gridOf({128, 128, 64}));
-  Grid across = gridOf({10, 4000, 4000});
+  io::openLabels(path, labelGrid({128, 128, 64}));
+  Grid across = labelGrid({10, 4000, 4000});
   across.direction = glm::dmat3(glm::normalize(glm::dvec3(1, 1, 1)), glm::normalize(glm::dvec3(1, -1, 0)),
                                 glm::normalize(glm::dvec3(1, 1, -2)));
   across.spacing = glm::dvec3(0.025);
@@ -234,4 +234,4 @@ TEST(RtStruct, EdgesBeyondCountEndInBoundedTime) {
   EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(60));
 }
 
-}  // namespace fenestra::tests
+}  // namespace fenestra::tests::rtStructTest

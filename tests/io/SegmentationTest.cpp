@@ -13,13 +13,13 @@
 #include "tests/io/LabelFiles.h"
 #include "tests/support/TestData.h"
 
-namespace fenestra::tests {
+namespace fenestra::tests::segmentationTest {
 namespace fs = std::filesystem;
 using io::Warning;
 
 namespace {
 
-const Grid fiveByThree = gridOf({5, 3, 3});
+const Grid fiveByThree = labelGrid({5, 3, 3});
 
 /// Fifteen pixels of 5 x 3, of which those in `set` are `value`.
 std::vector<int> pixels(std::initializer_list<int> set, int value = 1) {
@@ -68,7 +68,7 @@ TEST(Segmentation, FramesThatBeginOnBytesOfTheirOwnAreReadAndSaid) {
   for (const bool pads : {false, true}) {
     spec.padsFrames = pads;
     writeSeg(path, spec);
-    const io::OpenedLabels opened = io::openLabels(path, gridOf({3, 3, 9}));
+    const io::OpenedLabels opened = io::openLabels(path, labelGrid({3, 3, 9}));
     EXPECT_EQ(valuesOf(*opened.labels), truth) << pads;
     EXPECT_EQ(opened.warnings.size(), pads ? 1u : 0u) << kindsOf(opened.warnings);
     if (pads) {
@@ -133,7 +133,7 @@ TEST(Segmentation, TheSmallerOfOverlappingSegmentsStaysWhateverTheOrder) {
       std::swap(spec.frames[0], spec.frames[1]);
     }
     writeSeg(path, spec);
-    const io::OpenedLabels opened = io::openLabels(path, gridOf({5, 3, 1}));
+    const io::OpenedLabels opened = io::openLabels(path, labelGrid({5, 3, 1}));
     EXPECT_EQ(valuesOf(*opened.labels), (std::vector<int>{0, 0, 0, 0, 0, 1, 1, 2, 2, 2, 0, 0, 0, 0, 0}));
     const std::string text = warningOf(opened.warnings, Warning::Kind::Other).text;
     EXPECT_NE(text.find("overlap at 2 voxels"), std::string::npos) << text;
@@ -151,7 +151,7 @@ TEST(Segmentation, FractionalVoxelsBelongFromOneHalfOn) {
     spec.greatest = 200;
     spec.frames = {{1, glm::dvec3(0.0), {0, 1, 99, 100, 101, 200, 0, 0, 0, 0, 0, 0, 0, 0, 150}}};
     writeSeg(path, spec);
-    const io::OpenedLabels opened = io::openLabels(path, gridOf({5, 3, 1}));
+    const io::OpenedLabels opened = io::openLabels(path, labelGrid({5, 3, 1}));
     EXPECT_EQ(valuesOf(*opened.labels), (std::vector<int>{0, 0, 0, 1, 1, 1, 0, 0, 0, 0, 0, 0, 0, 0, 1})) << syntax;
     EXPECT_NE(warningOf(opened.warnings, Warning::Kind::Other).text.find("one half"), std::string::npos);
   }
@@ -170,7 +170,7 @@ TEST(Segmentation, LabelMapsHoldSegmentNumbers) {
       spec.segments = {{1, "one", {}}, {high, "high", {}}, {0, "background", {}}};
       spec.frames = {{0, glm::dvec3(0, 0, 1), pixels({2, 3}, high)}, {0, glm::dvec3(0, 0, 0), pixels({0, 14})}};
       writeSeg(path, spec);
-      const io::OpenedLabels opened = io::openLabels(path, gridOf({5, 3, 2}));
+      const io::OpenedLabels opened = io::openLabels(path, labelGrid({5, 3, 2}));
       std::vector<int> truth(30, 0);
       truth[0] = truth[14] = 1;
       truth[17] = truth[18] = high;
@@ -191,7 +191,7 @@ TEST(Segmentation, ComesToFlippedObliqueAndShearedGrids) {
   spec.spacingBetweenSlices = "2";
   spec.pixelSpacing = "0.5\\0.7";  // between rows, between columns
   writeSeg(path, spec);
-  Grid grid = gridOf({5, 3, 3}, {10, 20, 30}, {0.7, 0.5, glm::length(step)});
+  Grid grid = labelGrid({5, 3, 3}, {10, 20, 30}, {0.7, 0.5, glm::length(step)});
   grid.direction = {spec.row, spec.column, glm::normalize(step)};
   const io::OpenedLabels same = io::openLabels(path, grid);
   EXPECT_EQ(valuesOf(*same.labels), twoSegmentsTruth());
@@ -220,7 +220,7 @@ TEST(Segmentation, OtherGridsTakeTheNearestPixelWithinTheSlab) {
   spec.spacingBetweenSlices = "2";  // planes at 12 and 14 are empty and left out
   writeSeg(path, spec);
   // Half a millimetre apart along z, from 8 on.
-  const io::OpenedLabels opened = io::openLabels(path, gridOf({1, 1, 24}, {2, 1, 8}, {1, 1, 0.5}));
+  const io::OpenedLabels opened = io::openLabels(path, labelGrid({1, 1, 24}, {2, 1, 8}, {1, 1, 0.5}));
   std::vector<int> truth(24, 0);
   for (std::size_t k = 0; k < 24; ++k) {
     const double z = 8 + 0.5 * static_cast<double>(k);
@@ -228,7 +228,7 @@ TEST(Segmentation, OtherGridsTakeTheNearestPixelWithinTheSlab) {
   }
   EXPECT_EQ(valuesOf(*opened.labels), truth);
   EXPECT_NE(warningOf(opened.warnings, Warning::Kind::Other).text.find("resampled"), std::string::npos);
-  const io::OpenedLabels away = io::openLabels(path, gridOf({4, 4, 4}, {100, 0, 0}));
+  const io::OpenedLabels away = io::openLabels(path, labelGrid({4, 4, 4}, {100, 0, 0}));
   EXPECT_NE(warningOf(away.warnings, Warning::Kind::Other).text.find("outside the volume"), std::string::npos);
 }
 
@@ -303,4 +303,4 @@ TEST(Segmentation, DamageIsAnErrorInBoundedTime) {
   EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(60));
 }
 
-}  // namespace fenestra::tests
+}  // namespace fenestra::tests::segmentationTest

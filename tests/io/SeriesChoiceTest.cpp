@@ -9,7 +9,7 @@
 #include "tests/io/IoTesting.h"
 #include "tests/support/TestData.h"
 
-namespace fenestra::tests {
+namespace fenestra::tests::seriesChoiceTest {
 namespace fs = std::filesystem;
 namespace {
 
@@ -172,4 +172,4 @@ TEST(SeriesChoice, OpensTheThinAcquiredSeriesOfAFolder) {
 }
 
 }  // namespace
-}  // namespace fenestra::tests
+}  // namespace fenestra::tests::seriesChoiceTest

@@ -14,7 +14,7 @@
 #include "tests/io/LabelFiles.h"
 #include "tests/support/TestData.h"
 
-namespace fenestra::tests {
+namespace fenestra::tests::surfaceTest {
 namespace fs = std::filesystem;
 
 namespace {
@@ -98,7 +98,7 @@ void expectFaithful(const Scene& scene) {
 
 TEST(Surface, ABallHasItsVolumeAndPlace) {
   const glm::dvec3 centre(3, -4, 5);
-  const Scene scene = ballScene(gridOf({48, 48, 48}, centre - 23.3), centre, 20.0);
+  const Scene scene = ballScene(labelGrid({48, 48, 48}, centre - 23.3), centre, 20.0);
   expectFaithful(scene);
   const io::Surface surface = io::extractSurface(scene, "test");
   double farthest = 0.0;
@@ -119,14 +119,14 @@ TEST(Surface, ABallHasItsVolumeAndPlace) {
 }
 
 TEST(Surface, AnisotropicShearedAndMirroredGrids) {
-  Grid grid = gridOf({40, 44, 24}, {0, 0, 0}, {1.0, 0.9, 2.2});
+  Grid grid = labelGrid({40, 44, 24}, {0, 0, 0}, {1.0, 0.9, 2.2});
   grid.direction = {glm::dvec3(-1, 0, 0), glm::dvec3(0, 1, 0), glm::normalize(glm::dvec3(0.0, 0.4, 1.0))};
   expectFaithful(ballScene(grid, grid.centre(), 14.0));
 }
 
 TEST(Surface, ClosesWhereTheFocusMeetsTheBorder) {
   // A box of 10 x 12 x 6 voxels that fills its grid: 720 mm³ with rounded edges, held to the volume.
-  Scene scene = ballScene(gridOf({10, 12, 6}), glm::dvec3(5.0), 100.0);
+  Scene scene = ballScene(labelGrid({10, 12, 6}), glm::dvec3(5.0), 100.0);
   const io::Surface raw = io::extractSurface(scene, "test", {.smooth = false});
   expectClosed(raw);
   glm::dvec3 low = raw.points[0], high = low;
@@ -142,7 +142,7 @@ TEST(Surface, ClosesWhereTheFocusMeetsTheBorder) {
 TEST(Surface, ARangeOfValuesWithoutItsIslands) {
   // Values fall linearly from the centres of two balls; the small one is an island.
   auto volume = std::make_shared<Volume>();
-  volume->grid = gridOf({60, 40, 40});
+  volume->grid = labelGrid({60, 40, 40});
   volume->voxels = Voxels(ScalarType::Float32, volume->grid.voxelCount());
   for (int z = 0; z < 40; ++z)
     for (int y = 0; y < 40; ++y)
@@ -179,7 +179,7 @@ TEST(Surface, ARealKidneyAndThinVessels) {
 }
 
 TEST(Surface, FilesHoldTheSameTrianglesInTheFrameAskedFor) {
-  const Scene scene = ballScene(gridOf({20, 20, 20}, {100, 200, 300}), {109, 209, 309}, 6.0);
+  const Scene scene = ballScene(labelGrid({20, 20, 20}, {100, 200, 300}), {109, 209, 309}, 6.0);
   const io::Surface surface = io::extractSurface(scene, "test");
   const fs::path folder = scratchFolder();
   for (const auto& [frame, word, sign] :
@@ -223,7 +223,7 @@ TEST(Surface, FilesHoldTheSameTrianglesInTheFrameAskedFor) {
 }
 
 TEST(Surface, WhatCannotBeMadeSaysWhyAndLeavesNothing) {
-  Scene scene = ballScene(gridOf({8, 8, 8}), glm::dvec3(4.0), 3.0);
+  Scene scene = ballScene(labelGrid({8, 8, 8}), glm::dvec3(4.0), 3.0);
   const io::Surface surface = io::extractSurface(scene, "test");
   const fs::path folder = scratchFolder();
   EXPECT_NE(errorOf([&] { io::writeSurface(surface, folder / "a.vtk", {}); }).find("no surface format"),
@@ -241,4 +241,4 @@ TEST(Surface, WhatCannotBeMadeSaysWhyAndLeavesNothing) {
   EXPECT_NE(errorOf([&] { io::extractSurface(scene, "test"); }).find("has no focus"), std::string::npos);
 }
 
-}  // namespace fenestra::tests
+}  // namespace fenestra::tests::surfaceTest

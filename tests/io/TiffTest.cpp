@@ -10,7 +10,7 @@
 #include "tests/io/TiffFiles.h"
 #include "tests/support/TestData.h"
 
-namespace fenestra::tests {
+namespace fenestra::tests::tiffTest {
 namespace fs = std::filesystem;
 using io::Warning;
 
@@ -174,13 +174,13 @@ TEST(Tiff, WhiteThatIsZeroIsTurnedRoundAndPalettesAreNumbers) {
 TEST(Tiff, ALabelStackOfTheVolumesSizeLiesOnIt) {
   const fs::path path = scratchFolder() / "labels.tif";
   writeTiff(path, {.pages = 4, .bits = 8});
-  const io::OpenedLabels opened = io::openLabels(path, gridOf({2, 3, 4}, glm::dvec3(5), glm::dvec3(0.3)));
+  const io::OpenedLabels opened = io::openLabels(path, labelGrid({2, 3, 4}, glm::dvec3(5), glm::dvec3(0.3)));
   std::vector<int> expected;
   for (int i = 0; i < 24; ++i) expected.push_back(i);
   EXPECT_EQ(valuesOf(*opened.labels), expected);
   EXPECT_EQ(opened.labels->grid.spacing, glm::dvec3(0.3));
   EXPECT_NE(errorOf([&] {
-              io::openLabels(path, gridOf({2, 3, 5}));
+              io::openLabels(path, labelGrid({2, 3, 5}));
             }).find("where the volume has 2 x 3 x 5"),
             std::string::npos);
 }
@@ -193,4 +193,4 @@ TEST(Tiff, AStackWithoutASizeOfVoxelsAsksForIt) {
   EXPECT_EQ(io::openVolume(path, told).volume->grid.spacing, *told.spacing);
 }
 
-}  // namespace fenestra::tests
+}  // namespace fenestra::tests::tiffTest

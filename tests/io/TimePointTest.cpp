@@ -10,7 +10,7 @@
 #include "tests/io/NiftiBytes.h"
 #include "tests/support/TestData.h"
 
-namespace fenestra::tests {
+namespace fenestra::tests::timePointTest {
 namespace fs = std::filesystem;
 
 namespace {
@@ -132,4 +132,4 @@ TEST(TimePoint, OfARealFile) {
   EXPECT_EQ(realValues(*io::openVolume(path, {.time = 1}).volume), first);
 }
 
-}  // namespace fenestra::tests
+}  // namespace fenestra::tests::timePointTest

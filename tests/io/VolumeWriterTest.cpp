@@ -8,7 +8,7 @@
 #include "tests/io/IoTesting.h"
 #include "tests/support/TestData.h"
 
-namespace fenestra::tests {
+namespace fenestra::tests::volumeWriterTest {
 namespace fs = std::filesystem;
 
 namespace {
@@ -103,4 +103,4 @@ TEST(VolumeWriter, FailuresLeaveNoFile) {
   EXPECT_TRUE(fs::is_empty(folder));
 }
 
-}  // namespace fenestra::tests
+}  // namespace fenestra::tests::volumeWriterTest

@@ -12,7 +12,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const fs::path root = FENESTRA_SOURCE_DIR;
+const fs::path checkout = FENESTRA_SOURCE_DIR;
 
 /// Blanks out what is not code, one construct at a time.
 class Blanker {
@@ -77,7 +77,7 @@ class Blanker {
 }  // namespace
 
 std::string readSource(const std::string& path) {
-  std::ifstream stream(root / path, std::ios::binary);
+  std::ifstream stream(checkout / path, std::ios::binary);
   if (!stream) throw std::runtime_error("cannot read " + path);
   return {std::istreambuf_iterator<char>(stream), {}};
 }
@@ -85,8 +85,8 @@ std::string readSource(const std::string& path) {
 std::vector<SourceFile> productSources(const std::vector<std::string_view>& endings) {
   std::vector<SourceFile> files;
   for (const char* folder : {"app", "io", "rendering", "resources", "viewer"})
-    for (const fs::directory_entry& entry : fs::recursive_directory_iterator(root / folder)) {
-      const std::string path = entry.path().lexically_relative(root).generic_string();
+    for (const fs::directory_entry& entry : fs::recursive_directory_iterator(checkout / folder)) {
+      const std::string path = entry.path().lexically_relative(checkout).generic_string();
       const bool wanted =
           std::any_of(endings.begin(), endings.end(), [&](auto ending) { return path.ends_with(ending); });
       if (wanted && entry.is_regular_file()) files.push_back({path, readSource(path)});

@@ -4,7 +4,7 @@
 
 #include "tests/placement/CandidateTesting.h"
 
-namespace fenestra::placement {
+namespace fenestra::placement::candidateClosedFormsTest {
 namespace {
 
 /// Largest error of an area, the sum of three: chords cut 2π/12 of a square pixel off a convex outline (∮κ ds = 2π, a
@@ -164,4 +164,4 @@ TEST_F(CandidateTest, ABoxsSurface) {
 }
 
 }  // namespace
-}  // namespace fenestra::placement
+}  // namespace fenestra::placement::candidateClosedFormsTest

@@ -6,7 +6,7 @@
 #include "rendering/placement/FocusViews.h"
 #include "tests/placement/CandidateTesting.h"
 
-namespace fenestra::placement {
+namespace fenestra::placement::candidateDescriptorsTest {
 namespace {
 
 /// Square pixels inside outlines: the sum of the signed areas of polygons, where holes run the other way round.
@@ -163,4 +163,4 @@ TEST_F(DescriptorsTest, AFocusWithoutASurfaceHasNoDescriptors) {
 }
 
 }  // namespace
-}  // namespace fenestra::placement
+}  // namespace fenestra::placement::candidateDescriptorsTest

@@ -2,7 +2,7 @@
 
 #include "tests/placement/CandidateTesting.h"
 
-namespace fenestra::placement {
+namespace fenestra::placement::candidateEndFacesTest {
 namespace {
 
 /// A body around the lobes that the scan cuts off below, and on one side; air has other values than tissue, in two
@@ -127,4 +127,4 @@ TEST_F(CandidateTest, RefinementWithEndFacesFindsWhatAnExhaustiveSearchFinds) {
 }
 
 }  // namespace
-}  // namespace fenestra::placement
+}  // namespace fenestra::placement::candidateEndFacesTest

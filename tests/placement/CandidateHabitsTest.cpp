@@ -2,7 +2,7 @@
 
 #include "tests/placement/CandidateTesting.h"
 
-namespace fenestra::placement {
+namespace fenestra::placement::candidateHabitsTest {
 namespace {
 
 struct Cameras {
@@ -91,4 +91,4 @@ TEST_F(HabitsTest, TheyCostNoMeasurement) {
 }
 
 }  // namespace
-}  // namespace fenestra::placement
+}  // namespace fenestra::placement::candidateHabitsTest

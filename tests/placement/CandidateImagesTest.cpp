@@ -2,7 +2,7 @@
 
 #include "tests/placement/CandidateTesting.h"
 
-namespace fenestra::placement {
+namespace fenestra::placement::candidateImagesTest {
 namespace {
 
 TEST_F(CandidateTest, LabelsAgreeWithTheCpuOnEveryKindOfGrid) {
@@ -189,4 +189,4 @@ TEST_F(CandidateTest, WhatWasMeasuredIsKept) {
 }
 
 }  // namespace
-}  // namespace fenestra::placement
+}  // namespace fenestra::placement::candidateImagesTest

@@ -10,7 +10,7 @@
 #include "rendering/viewpoints/Sphere.h"
 #include "tests/support/Scenes.h"
 
-namespace fenestra::placement {
+namespace fenestra::placement::habitsTest {
 namespace {
 
 constexpr std::size_t points = 192;
@@ -267,4 +267,4 @@ TEST(Habits, RefinementFindsTheBestOfWhatTheyAdmit) {
 }
 
 }  // namespace
-}  // namespace fenestra::placement
+}  // namespace fenestra::placement::habitsTest

@@ -10,7 +10,7 @@
 #include "rendering/viewpoints/Sphere.h"
 #include "tests/support/Scenes.h"
 
-namespace fenestra::tests {
+namespace fenestra::tests::liveSyncTest {
 namespace {
 
 using namespace placement;
@@ -350,4 +350,4 @@ TEST(LiveSync, TheCameraLooksAtThePick) {
 }
 
 }  // namespace
-}  // namespace fenestra::tests
+}  // namespace fenestra::tests::liveSyncTest

@@ -4,7 +4,7 @@
 
 #include "tests/cli/CommandLine.h"
 
-namespace fenestra::tests {
+namespace fenestra::tests::placedStructuresTest {
 namespace {
 
 class PlacedStructures : public CommandLine {
@@ -100,4 +100,4 @@ TEST_F(PlacedStructures, AGrownRegionAsALabel) {
 }
 
 }  // namespace
-}  // namespace fenestra::tests
+}  // namespace fenestra::tests::placedStructuresTest

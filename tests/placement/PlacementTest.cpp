@@ -10,7 +10,7 @@
 #include "rendering/viewpoints/Sphere.h"
 #include "tests/support/Scenes.h"
 
-namespace fenestra::placement {
+namespace fenestra::placement::placementTest {
 namespace {
 
 using tests::randomUnit;
@@ -371,4 +371,4 @@ TEST(Placement, RefinementOfAnUnseenFocusEnds) {
 }
 
 }  // namespace
-}  // namespace fenestra::placement
+}  // namespace fenestra::placement::placementTest

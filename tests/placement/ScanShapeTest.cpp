@@ -7,7 +7,7 @@
 #include "rendering/viewpoints/ScanShape.h"
 #include "tests/support/Scenes.h"
 
-namespace fenestra::tests {
+namespace fenestra::tests::scanShapeTest {
 namespace {
 
 using namespace placement;
@@ -156,4 +156,4 @@ TEST(ScanShape, TheFrontOfAThinStackIsNoCutEnd) {
 }
 
 }  // namespace
-}  // namespace fenestra::tests
+}  // namespace fenestra::tests::scanShapeTest

@@ -9,7 +9,7 @@
 
 #include "rendering/viewpoints/Placement.h"
 
-namespace fenestra::placement {
+namespace fenestra::placement::sphereTest {
 namespace {
 
 TEST(Sphere, OnlyTwelveTimesASquareIsACount) {
@@ -75,4 +75,4 @@ TEST(Sphere, NeighboursArePixelsThatTouch) {
 }
 
 }  // namespace
-}  // namespace fenestra::placement
+}  // namespace fenestra::placement::sphereTest

@@ -14,7 +14,7 @@
 #include "rendering/viewpoints/ViewDescriptors.h"
 #include "tests/support/Scenes.h"
 
-namespace fenestra::placement {
+namespace fenestra::placement::viewDescriptorsTest {
 namespace {
 
 using tests::randomUnit;
@@ -433,4 +433,4 @@ TEST(ViewDescriptors, NamesAreInTheOrderOfTheEnumeration) {
 }
 
 }  // namespace
-}  // namespace fenestra::placement
+}  // namespace fenestra::placement::viewDescriptorsTest

@@ -13,7 +13,7 @@
 #include "rendering/volume/DistanceTransform.h"
 #include "tests/support/Scenes.h"
 
-namespace fenestra::segmentation {
+namespace fenestra::segmentation::boneTreeTest {
 namespace {
 
 using tests::gridOf;
@@ -198,4 +198,4 @@ TEST(VoxelSet, NumbersItsMembersInOrder) {
 }
 
 }  // namespace
-}  // namespace fenestra::segmentation
+}  // namespace fenestra::segmentation::boneTreeTest

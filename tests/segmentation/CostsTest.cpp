@@ -4,7 +4,7 @@
 
 #include "tests/support/Scenes.h"
 
-namespace fenestra::segmentation {
+namespace fenestra::segmentation::costsTest {
 namespace {
 
 constexpr Noise unitNoise{0.0, 1.0};  ///< edges count from 0.5 units on
@@ -74,4 +74,4 @@ TEST(EdgeSharpener, HalvesValuesNotTones) {
 }
 
 }  // namespace
-}  // namespace fenestra::segmentation
+}  // namespace fenestra::segmentation::costsTest

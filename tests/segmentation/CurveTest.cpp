@@ -7,7 +7,7 @@
 
 #include "tests/support/Scenes.h"
 
-namespace fenestra::segmentation {
+namespace fenestra::segmentation::curveTest {
 namespace {
 
 /// The curve of a volume whose voxels join at joinAt and cost the same.
@@ -173,4 +173,4 @@ TEST(BeginWith, MakesAPlateauWhereThereIsNone) {
 }
 
 }  // namespace
-}  // namespace fenestra::segmentation
+}  // namespace fenestra::segmentation::curveTest

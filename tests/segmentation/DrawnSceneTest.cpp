@@ -7,7 +7,7 @@
 #include "rendering/segmentation/RegionGrowing.h"
 #include "tests/support/Scenes.h"
 
-namespace fenestra::segmentation {
+namespace fenestra::segmentation::drawnSceneTest {
 namespace {
 
 /// A ball of 1000 around (20, 20, 20) in air of 0, on a grid of 40³ mm; all of it is label 9.
@@ -65,4 +65,4 @@ TEST(DrawnScene, SettingsOfLabelsGoWhereARegionHasNoMapBesideIt) {
 }
 
 }  // namespace
-}  // namespace fenestra::segmentation
+}  // namespace fenestra::segmentation::drawnSceneTest

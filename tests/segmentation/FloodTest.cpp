@@ -7,7 +7,7 @@
 
 #include "tests/support/Scenes.h"
 
-namespace fenestra::segmentation {
+namespace fenestra::segmentation::floodTest {
 namespace {
 
 template <class CostAt>
@@ -99,4 +99,4 @@ TEST(Flood, EndsWhenAskedTo) {
 }
 
 }  // namespace
-}  // namespace fenestra::segmentation
+}  // namespace fenestra::segmentation::floodTest

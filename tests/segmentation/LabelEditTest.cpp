@@ -9,7 +9,7 @@
 
 #include "tests/support/Scenes.h"
 
-namespace fenestra::segmentation {
+namespace fenestra::segmentation::labelEditTest {
 namespace {
 
 using tests::gridOf;
@@ -103,4 +103,4 @@ TEST(LabelEdit, FindsAFreeLabel) {
 }
 
 }  // namespace
-}  // namespace fenestra::segmentation
+}  // namespace fenestra::segmentation::labelEditTest

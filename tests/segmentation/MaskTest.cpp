@@ -7,7 +7,7 @@
 
 #include "tests/support/Scenes.h"
 
-namespace fenestra::segmentation {
+namespace fenestra::segmentation::maskTest {
 namespace {
 
 template <class InsideAt>
@@ -121,4 +121,4 @@ TEST(Mask, BecomesALabelAndComesBack) {
 }
 
 }  // namespace
-}  // namespace fenestra::segmentation
+}  // namespace fenestra::segmentation::maskTest

@@ -7,7 +7,7 @@
 
 #include "tests/support/Scenes.h"
 
-namespace fenestra::segmentation {
+namespace fenestra::segmentation::morphologyTest {
 namespace {
 
 using tests::gridOf;
@@ -72,4 +72,4 @@ TEST(Morphology, GreatestAndLeastAreThoseOfTheBall) {
 }
 
 }  // namespace
-}  // namespace fenestra::segmentation
+}  // namespace fenestra::segmentation::morphologyTest

@@ -13,7 +13,7 @@
 #include "rendering/segmentation/RegionGrowing.h"
 #include "tests/support/Scenes.h"
 
-namespace fenestra::segmentation {
+namespace fenestra::segmentation::paintingTest {
 namespace {
 
 using namespace tests;
@@ -187,4 +187,4 @@ TEST(Painting, ARegionMayBePaintedAloneOrOverWhatGrows) {
 }
 
 }  // namespace
-}  // namespace fenestra::segmentation
+}  // namespace fenestra::segmentation::paintingTest

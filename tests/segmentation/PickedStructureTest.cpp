@@ -8,7 +8,7 @@
 #include "rendering/segmentation/RegionGrowing.h"
 #include "tests/support/Scenes.h"
 
-namespace fenestra::segmentation {
+namespace fenestra::segmentation::pickedStructureTest {
 namespace {
 
 using tests::gridOf;
@@ -92,4 +92,4 @@ TEST(PickedStructure, ThereIsNoneInAirOrOutside) {
 }
 
 }  // namespace
-}  // namespace fenestra::segmentation
+}  // namespace fenestra::segmentation::pickedStructureTest

@@ -6,7 +6,7 @@
 
 #include "tests/support/Scenes.h"
 
-namespace fenestra::segmentation {
+namespace fenestra::segmentation::regionCutTest {
 namespace {
 
 using tests::gridOf;
@@ -164,4 +164,4 @@ TEST(RegionCut, CoarseCellsFollowTheNeckOfALargeRegion) {
 }
 
 }  // namespace
-}  // namespace fenestra::segmentation
+}  // namespace fenestra::segmentation::regionCutTest

@@ -8,7 +8,7 @@
 #include "rendering/segmentation/Mask.h"
 #include "tests/support/Scenes.h"
 
-namespace fenestra::segmentation {
+namespace fenestra::segmentation::regionGrowingTest {
 namespace {
 
 using tests::gridOf;
@@ -246,4 +246,4 @@ INSTANTIATE_TEST_SUITE_P(Bodies, PhantomGrowing,
                                            PhantomCase{"head", 25, {27.0, 24.0, 46.0}}));  // tumour
 
 }  // namespace
-}  // namespace fenestra::segmentation
+}  // namespace fenestra::segmentation::regionGrowingTest

@@ -7,7 +7,7 @@
 
 #include "tests/support/Scenes.h"
 
-namespace fenestra::segmentation {
+namespace fenestra::segmentation::smoothingTest {
 namespace {
 
 using tests::gridOf;
@@ -107,4 +107,4 @@ TEST(Smoothing, TakesNanAsTheLeastValue) {
 }
 
 }  // namespace
-}  // namespace fenestra::segmentation
+}  // namespace fenestra::segmentation::smoothingTest

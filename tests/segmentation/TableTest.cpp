@@ -14,7 +14,7 @@
 #include "tests/support/Scenes.h"
 #include "tests/support/TestData.h"
 
-namespace fenestra::segmentation {
+namespace fenestra::segmentation::tableTest {
 namespace {
 
 using namespace tests;
@@ -68,7 +68,7 @@ Part partOf(const Grid& grid, glm::ivec3 index) {
 }
 
 std::shared_ptr<const Volume> scan(const Grid& grid) {
-  std::shared_ptr<Volume> volume = volumeOf<std::int16_t>(
+  std::shared_ptr<Volume> volume = tests::volumeOf<std::int16_t>(
       grid, [&](glm::ivec3 index) { return static_cast<std::int16_t>(valueOf(partOf(grid, index))); });
   volume->modality = Modality::CT;
   return volume;
@@ -131,14 +131,14 @@ TEST(Table, IsLookedForInHounsfieldUnitsOnly) {
 TEST(Table, NoneAndNoBodyLeaveTheVolumeAsItIs) {
   const Grid grid = gridOf({60, 50, 20}, {2.0, 2.0, 2.0});
   for (const double value : {air, 40.0}) {
-    std::shared_ptr<Volume> volume = volumeOf<std::int16_t>(grid, [&](glm::ivec3 i) {
+    std::shared_ptr<Volume> volume = tests::volumeOf<std::int16_t>(grid, [&](glm::ivec3 i) {
       return static_cast<std::int16_t>(glm::length(glm::dvec2(i.x - 30, i.y - 25)) < 20.0 ? value : air);
     });
     volume->modality = Modality::CT;
     EXPECT_EQ(withoutTable(volume), ShownVolume{volume});
   }
   for (const glm::ivec3 dims : {glm::ivec3(1), glm::ivec3(1, 40, 50), glm::ivec3(40, 40, 1)}) {
-    std::shared_ptr<Volume> volume = volumeOf<float>(gridOf(dims), [](glm::ivec3 i) {
+    std::shared_ptr<Volume> volume = tests::volumeOf<float>(gridOf(dims), [](glm::ivec3 i) {
       return i.x % 3 == 0 ? std::nanf("") : i.x % 3 == 1 ? std::numeric_limits<float>::infinity() : -1000.0f;
     });
     volume->modality = Modality::CT;
@@ -189,4 +189,4 @@ TEST(Table, NothingOfALabelledTorsoIsHidden) {
 }
 
 }  // namespace
-}  // namespace fenestra::segmentation
+}  // namespace fenestra::segmentation::tableTest

@@ -10,7 +10,7 @@
 #include "rendering/segmentation/TissueMerger.h"
 #include "tests/support/Scenes.h"
 
-namespace fenestra::segmentation {
+namespace fenestra::segmentation::tissueTreeTest {
 namespace {
 
 using tests::gridOf;
@@ -272,4 +272,4 @@ TEST(RegionByTissues, NothingGrowsOutsideTheBallDrawn) {
 }
 
 }  // namespace
-}  // namespace fenestra::segmentation
+}  // namespace fenestra::segmentation::tissueTreeTest

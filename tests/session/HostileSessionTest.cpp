@@ -17,7 +17,7 @@
 #include "tests/session/SessionTesting.h"
 #include "tests/support/TestData.h"
 
-namespace fenestra::tests {
+namespace fenestra::tests::hostileSessionTest {
 namespace {
 
 namespace fs = std::filesystem;
@@ -208,4 +208,4 @@ TEST_F(HostileSession, WhatContradictsItselfIsRefused) {
 }
 
 }  // namespace
-}  // namespace fenestra::tests
+}  // namespace fenestra::tests::hostileSessionTest

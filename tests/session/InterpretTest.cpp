@@ -8,7 +8,7 @@
 #include "io/study/Interpret.h"
 #include "tests/support/TestData.h"
 
-namespace fenestra::tests {
+namespace fenestra::tests::interpretTest {
 namespace {
 
 TEST(Interpret, OnePathIsTheVolume) { EXPECT_EQ(io::interpret({"/a/b"}).path, "/a/b"); }
@@ -66,4 +66,4 @@ TEST(Interpret, SeveralFoldersAreOpenedTogetherWhereNothingElseLiesBesideThem) {
 }
 
 }  // namespace
-}  // namespace fenestra::tests
+}  // namespace fenestra::tests::interpretTest

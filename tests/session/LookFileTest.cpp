@@ -12,7 +12,7 @@
 #include "tests/session/SessionTesting.h"
 #include "tests/support/TestData.h"
 
-namespace fenestra::tests {
+namespace fenestra::tests::lookFileTest {
 namespace {
 
 namespace fs = std::filesystem;
@@ -167,4 +167,4 @@ TEST(LookFile, AFileThatIsNotThereIsAnError) {
 }
 
 }  // namespace
-}  // namespace fenestra::tests
+}  // namespace fenestra::tests::lookFileTest

@@ -11,7 +11,7 @@
 #include "tests/support/Scenes.h"
 #include "tests/support/TestData.h"
 
-namespace fenestra::tests {
+namespace fenestra::tests::readStudyTest {
 namespace {
 
 namespace fs = std::filesystem;
@@ -148,4 +148,4 @@ TEST_F(ReadStudy, ProgressRunsForwardAndCancels) {
 }
 
 }  // namespace
-}  // namespace fenestra::tests
+}  // namespace fenestra::tests::readStudyTest

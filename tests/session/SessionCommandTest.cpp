@@ -16,7 +16,7 @@
 #include "tests/session/SessionTesting.h"
 #include "tests/support/TestData.h"
 
-namespace fenestra::tests {
+namespace fenestra::tests::sessionCommandTest {
 namespace {
 
 namespace fs = std::filesystem;
@@ -283,4 +283,4 @@ TEST_F(SessionCommand, ChangedDataIsSaid) {
 }
 
 }  // namespace
-}  // namespace fenestra::tests
+}  // namespace fenestra::tests::sessionCommandTest

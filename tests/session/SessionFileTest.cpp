@@ -22,7 +22,7 @@
 #include "tests/session/SessionTesting.h"
 #include "tests/support/TestData.h"
 
-namespace fenestra::tests {
+namespace fenestra::tests::sessionFileTest {
 namespace {
 
 namespace fs = std::filesystem;
@@ -346,4 +346,4 @@ TEST(SessionFile, IsWholeWheneverSavingIsKilled) {
 }
 
 }  // namespace
-}  // namespace fenestra::tests
+}  // namespace fenestra::tests::sessionFileTest

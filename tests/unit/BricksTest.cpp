@@ -7,7 +7,7 @@
 #include "rendering/gpu/Bricks.h"
 #include "tests/support/Scenes.h"
 
-namespace fenestra::tests {
+namespace fenestra::tests::bricksTest {
 namespace {
 
 std::uint8_t nearestByHand(glm::ivec3 dims, const std::vector<std::uint8_t>& occupied, glm::ivec3 from) {
@@ -90,4 +90,4 @@ TEST(Bricks, ChebyshevDistanceEndsAtWhatAByteHolds) {
 }
 
 }  // namespace
-}  // namespace fenestra::tests
+}  // namespace fenestra::tests::bricksTest

@@ -4,7 +4,7 @@
 
 #include "tests/support/Scenes.h"
 
-namespace fenestra::tests {
+namespace fenestra::tests::brushStrokeTest {
 namespace {
 
 BrushStroke dab() {
@@ -54,4 +54,4 @@ TEST(BrushStrokes, GrowByPointsApart) {
 }
 
 }  // namespace
-}  // namespace fenestra::tests
+}  // namespace fenestra::tests::brushStrokeTest

@@ -4,7 +4,7 @@
 
 #include "tests/support/Scenes.h"
 
-namespace fenestra {
+namespace fenestra::cameraTest {
 namespace {
 
 using namespace tests;
@@ -191,4 +191,4 @@ TEST(Camera, zoomAndPan) {
 }
 
 }  // namespace
-}  // namespace fenestra
+}  // namespace fenestra::cameraTest

@@ -6,7 +6,7 @@
 #include "rendering/reference/Picture.h"
 #include "tests/support/Scenes.h"
 
-namespace fenestra::reference {
+namespace fenestra::reference::certificateTest {
 namespace {
 
 using namespace tests;
@@ -103,4 +103,4 @@ TEST_F(CertificateOfAPicture, IsSaidInOneSentence) {
 }
 
 }  // namespace
-}  // namespace fenestra::reference
+}  // namespace fenestra::reference::certificateTest

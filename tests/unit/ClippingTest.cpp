@@ -6,7 +6,7 @@
 #include "rendering/settings/LookStyle.h"
 #include "tests/support/Scenes.h"
 
-namespace fenestra::tests {
+namespace fenestra::tests::clippingTest {
 namespace {
 
 void expectNear(glm::dvec3 a, glm::dvec3 b, double tolerance = 1e-9) {
@@ -99,4 +99,4 @@ TEST(Clipping, StaysWithItsDataWhenTheStyleChanges) {
 }
 
 }  // namespace
-}  // namespace fenestra::tests
+}  // namespace fenestra::tests::clippingTest

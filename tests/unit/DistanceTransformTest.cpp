@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-namespace fenestra {
+namespace fenestra::distanceTransformTest {
 namespace {
 
 /// mm to the nearest point of a set, by a search of all points.
@@ -99,4 +99,4 @@ TEST(DistanceTransform, OrientationsAsFilesRoundThemAreOrthogonal) {
 }
 
 }  // namespace
-}  // namespace fenestra
+}  // namespace fenestra::distanceTransformTest

@@ -8,7 +8,7 @@
 
 #include "tests/support/Scenes.h"
 
-namespace fenestra::tests {
+namespace fenestra::tests::explosionTest {
 namespace {
 
 constexpr int mostPlanes = 3;
@@ -190,4 +190,4 @@ TEST(Explosion, PlanesLieAlongThePatientOrTheView) {
 }
 
 }  // namespace
-}  // namespace fenestra::tests
+}  // namespace fenestra::tests::explosionTest

@@ -7,7 +7,7 @@
 #include "rendering/scene/SeenPoint.h"
 #include "tests/support/Scenes.h"
 
-namespace fenestra {
+namespace fenestra::faintLabelsTest {
 namespace {
 
 using namespace tests;
@@ -86,4 +86,4 @@ TEST(FaintLabels, AreNotWhatAClickMeansWhereMoreShowsBehindThem) {
 }
 
 }  // namespace
-}  // namespace fenestra
+}  // namespace fenestra::faintLabelsTest

@@ -8,7 +8,7 @@
 #include "rendering/scene/Scene.h"
 #include "tests/support/Scenes.h"
 
-namespace fenestra {
+namespace fenestra::focusDistancesTest {
 namespace {
 
 using namespace tests;
@@ -89,4 +89,4 @@ TEST(FocusDistances, AreMadeOnlyForARegionThatNeedsThem) {
 }
 
 }  // namespace
-}  // namespace fenestra
+}  // namespace fenestra::focusDistancesTest

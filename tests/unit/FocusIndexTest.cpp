@@ -11,7 +11,7 @@
 #include "rendering/gpu/LabelIndex.h"
 #include "tests/support/Scenes.h"
 
-namespace fenestra::tests {
+namespace fenestra::tests::focusIndexTest {
 namespace {
 
 FocusIndex indexOf(const Scene& scene) { return buildFocusIndex(scene, brickRanges(shownVolume(scene))); }
@@ -328,4 +328,4 @@ TEST(FocusIndex, CentreIsThatOfTheBoxWithoutDroppedIslands) {
 }
 
 }  // namespace
-}  // namespace fenestra::tests
+}  // namespace fenestra::tests::focusIndexTest

@@ -12,7 +12,7 @@
 #include "rendering/gpu/LabelIndex.h"
 #include "tests/support/Scenes.h"
 
-namespace fenestra::tests {
+namespace fenestra::tests::focusSmoothTest {
 namespace {
 
 /// The filter's value at a voxel as one sum, in [0, 1]; labels repeat at the volume's edge.
@@ -104,4 +104,4 @@ TEST(FocusSmooth, RepeatsTheVolumesEdge) {
 }
 
 }  // namespace
-}  // namespace fenestra::tests
+}  // namespace fenestra::tests::focusSmoothTest

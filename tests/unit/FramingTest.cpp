@@ -10,7 +10,7 @@
 #include "rendering/scene/VisibleFraming.h"
 #include "rendering/settings/Camera.h"
 
-namespace fenestra {
+namespace fenestra::framingTest {
 namespace {
 
 /// A head-like ellipsoid in air, aside of the volume's middle, with one bright voxel of noise in a corner.
@@ -117,4 +117,4 @@ TEST(Framing, TurnsAroundTheMiddleOfWhatShows) {
 }
 
 }  // namespace
-}  // namespace fenestra
+}  // namespace fenestra::framingTest

@@ -4,7 +4,7 @@
 
 #include "tests/support/Scenes.h"
 
-namespace fenestra {
+namespace fenestra::gridTest {
 namespace {
 
 using namespace tests;
@@ -72,4 +72,4 @@ TEST(Grid, offsetRunsXFastest) {
 }
 
 }  // namespace
-}  // namespace fenestra
+}  // namespace fenestra::gridTest

@@ -5,7 +5,7 @@
 #include "rendering/scene/Importance.h"
 #include "tests/support/Scenes.h"
 
-namespace fenestra {
+namespace fenestra::importanceTest {
 namespace {
 
 using namespace tests;
@@ -80,4 +80,4 @@ TEST(Importance, CountsForAnOpeningOfLabelsByImportanceAlone) {
 }
 
 }  // namespace
-}  // namespace fenestra
+}  // namespace fenestra::importanceTest

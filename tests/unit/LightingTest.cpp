@@ -8,7 +8,7 @@
 
 #include "rendering/scene/Lighting.h"
 
-namespace fenestra::tests {
+namespace fenestra::tests::lightingTest {
 namespace {
 
 void expectNear(glm::dvec3 is, glm::dvec3 wanted) {
@@ -75,4 +75,4 @@ TEST(Background, OfAGradientRunsFromTheBottomToTheTop) {
 }
 
 }  // namespace
-}  // namespace fenestra::tests
+}  // namespace fenestra::tests::lightingTest

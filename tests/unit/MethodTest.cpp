@@ -17,7 +17,7 @@
 #include "rendering/scene/Peel.h"
 #include "rendering/scene/Scene.h"
 
-namespace fenestra::tests {
+namespace fenestra::tests::methodTest {
 namespace {
 
 TEST(Method, TheAdaptiveCutawayIsTheUsualOneWhateverTheOthersParameters) {
@@ -318,4 +318,4 @@ TEST(Method, EachHasAWordANameAndASource) {
 }
 
 }  // namespace
-}  // namespace fenestra::tests
+}  // namespace fenestra::tests::methodTest

@@ -8,7 +8,7 @@
 #include "rendering/reference/Occlusion.h"
 #include "tests/support/Scenes.h"
 
-namespace fenestra::tests {
+namespace fenestra::tests::occlusionTest {
 namespace {
 
 using reference::OccludingMedium;
@@ -353,4 +353,4 @@ TEST(OccludingMedium, IsTheVolumeAsItIsCutOpen) {
 }
 
 }  // namespace
-}  // namespace fenestra::tests
+}  // namespace fenestra::tests::occlusionTest

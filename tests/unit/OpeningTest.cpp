@@ -7,7 +7,7 @@
 
 #include "rendering/scene/Opening.h"
 
-namespace fenestra {
+namespace fenestra::openingTest {
 namespace {
 
 const Grid grid{{40, 40, 40}, {1.0, 1.0, 1.0}, {-19.5, -19.5, -19.5}, glm::dmat3(1.0)};
@@ -82,4 +82,4 @@ TEST(Opening, RemovesNothingWhereThereIsNone) {
 }
 
 }  // namespace
-}  // namespace fenestra
+}  // namespace fenestra::openingTest

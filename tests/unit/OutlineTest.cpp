@@ -9,7 +9,7 @@
 
 #include "rendering/volume/Outline.h"
 
-namespace fenestra {
+namespace fenestra::outlineTest {
 namespace {
 
 using Loops = std::vector<std::vector<glm::dvec2>>;
@@ -89,4 +89,4 @@ TEST(Outline, AThinPartStays) {
 }
 
 }  // namespace
-}  // namespace fenestra
+}  // namespace fenestra::outlineTest

@@ -10,7 +10,7 @@
 
 #include "tests/support/Scenes.h"
 
-namespace fenestra {
+namespace fenestra::peelTest {
 namespace {
 
 using namespace tests;
@@ -288,4 +288,4 @@ TEST(PeeledScene, BlursOnlyWhatIsMoved) {
 }
 
 }  // namespace
-}  // namespace fenestra
+}  // namespace fenestra::peelTest

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace fenestra::io {
+namespace fenestra::io::phantomFileTest {
 namespace {
 
 /// A description with one body whose members are `members`.
@@ -210,4 +210,4 @@ TEST(PhantomFile, torsoLesionLiesInTheLungBehindARib) {
 }
 
 }  // namespace
-}  // namespace fenestra::io
+}  // namespace fenestra::io::phantomFileTest

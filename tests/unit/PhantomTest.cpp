@@ -6,7 +6,7 @@
 
 #include "tests/support/Scenes.h"
 
-namespace fenestra {
+namespace fenestra::phantomTest {
 namespace {
 
 using namespace tests;
@@ -243,4 +243,4 @@ TEST(Phantom, valuesBeyondInt16AreClamped) {
 }
 
 }  // namespace
-}  // namespace fenestra
+}  // namespace fenestra::phantomTest

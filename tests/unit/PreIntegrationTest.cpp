@@ -10,7 +10,7 @@
 
 #include "rendering/gpu/TransferTables.h"
 
-namespace fenestra::tests {
+namespace fenestra::tests::preIntegrationTest {
 namespace {
 
 constexpr int size = 16384;
@@ -120,4 +120,4 @@ TEST(PreIntegration, WhatLiesBeyondAnEndIsOfItsColour) {
 }
 
 }  // namespace
-}  // namespace fenestra::tests
+}  // namespace fenestra::tests::preIntegrationTest

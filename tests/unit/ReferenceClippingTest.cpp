@@ -6,7 +6,7 @@
 #include "rendering/scene/Lighting.h"
 #include "tests/support/Scenes.h"
 
-namespace fenestra::reference {
+namespace fenestra::reference::referenceClippingTest {
 namespace {
 
 using namespace tests;
@@ -182,4 +182,4 @@ TEST(ReferenceClipping, GreyFacesOfSplinesShowTheSplinesValues) {
 }
 
 }  // namespace
-}  // namespace fenestra::reference
+}  // namespace fenestra::reference::referenceClippingTest

@@ -7,7 +7,7 @@
 #include "rendering/reference/Picture.h"
 #include "tests/support/Scenes.h"
 
-namespace fenestra::reference {
+namespace fenestra::reference::referenceConesTest {
 namespace {
 
 using namespace tests;
@@ -210,4 +210,4 @@ TEST(ReferenceCones, FaintIsAShareOfWhatIsRemoved) {
 }
 
 }  // namespace
-}  // namespace fenestra::reference
+}  // namespace fenestra::reference::referenceConesTest

@@ -5,7 +5,7 @@
 #include "rendering/reference/Picture.h"
 #include "tests/support/Shapes.h"
 
-namespace fenestra::reference {
+namespace fenestra::reference::referenceCurvatureTest {
 namespace {
 
 using namespace tests;
@@ -53,4 +53,4 @@ TEST(ReferenceCurvature, ofTori) {
 }
 
 }  // namespace
-}  // namespace fenestra::reference
+}  // namespace fenestra::reference::referenceCurvatureTest

@@ -8,7 +8,7 @@
 #include "rendering/reference/Reference.h"
 #include "tests/support/Scenes.h"
 
-namespace fenestra::reference {
+namespace fenestra::reference::referenceCutawayTest {
 namespace {
 
 using namespace tests;
@@ -210,4 +210,4 @@ TEST(ReferenceStages, theOpeningIsACone) {
 }
 
 }  // namespace
-}  // namespace fenestra::reference
+}  // namespace fenestra::reference::referenceCutawayTest

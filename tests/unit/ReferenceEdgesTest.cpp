@@ -9,7 +9,7 @@
 #include "rendering/scene/EdgeRays.h"
 #include "tests/support/Scenes.h"
 
-namespace fenestra::reference {
+namespace fenestra::reference::referenceEdgesTest {
 namespace {
 
 using namespace fenestra::tests;
@@ -77,8 +77,7 @@ TEST(ReferenceEdges, AreNearerToTheAreaThanOneRay) {
   for (std::size_t i = 0; i < smooth.final.size(); ++i) {
     int inside = 0;
     for (int k = 0; k < fine * fine; ++k)
-      inside +=
-          isInside(scene, camera, centres[i] - 0.5 + (glm::dvec2(k % fine, k / fine) + 0.5) / double(fine));
+      inside += isInside(scene, camera, centres[i] - 0.5 + (glm::dvec2(k % fine, k / fine) + 0.5) / double(fine));
     const double area = 0.8 * inside / (fine * fine);
     squares += std::pow(smooth.final[i].a - area, 2);
     plainSquares += std::pow(plain.final[i].a - area, 2);
@@ -183,4 +182,4 @@ TEST(ReferenceEdges, StagesBetweenPixelsAreThoseOfThePixelsAtTheirCentres) {
 }
 
 }  // namespace
-}  // namespace fenestra::reference
+}  // namespace fenestra::reference::referenceEdgesTest

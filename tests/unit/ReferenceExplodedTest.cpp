@@ -7,7 +7,7 @@
 #include "rendering/scene/Explosion.h"
 #include "tests/unit/FadingContexts.h"
 
-namespace fenestra::reference {
+namespace fenestra::reference::referenceExplodedTest {
 namespace {
 
 using namespace tests;
@@ -165,4 +165,4 @@ TEST(ReferenceExploded, TheEstimatedErrorKeepsToTheTolerance) {
 }
 
 }  // namespace
-}  // namespace fenestra::reference
+}  // namespace fenestra::reference::referenceExplodedTest

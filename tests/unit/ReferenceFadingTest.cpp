@@ -11,7 +11,7 @@
 #include "tests/support/Scenes.h"
 #include "tests/unit/FadingContexts.h"
 
-namespace fenestra::reference {
+namespace fenestra::reference::referenceFadingTest {
 namespace {
 
 using namespace tests;
@@ -166,4 +166,4 @@ TEST(ReferenceFading, TheEstimatedErrorKeepsToTheTolerance) {
 }
 
 }  // namespace
-}  // namespace fenestra::reference
+}  // namespace fenestra::reference::referenceFadingTest

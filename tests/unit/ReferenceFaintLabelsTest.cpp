@@ -5,7 +5,7 @@
 #include "rendering/reference/Picture.h"
 #include "tests/support/Scenes.h"
 
-namespace fenestra::reference {
+namespace fenestra::reference::referenceFaintLabelsTest {
 namespace {
 
 using namespace tests;
@@ -116,4 +116,4 @@ TEST(ReferenceFaintLabels, ALabelInFocusIsNotOfTheContext) {
 }
 
 }  // namespace
-}  // namespace fenestra::reference
+}  // namespace fenestra::reference::referenceFaintLabelsTest

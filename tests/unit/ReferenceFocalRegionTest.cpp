@@ -17,7 +17,7 @@
 #include "tests/support/Scenes.h"
 #include "tests/unit/FadingContexts.h"
 
-namespace fenestra::reference {
+namespace fenestra::reference::referenceFocalRegionTest {
 namespace {
 
 using namespace tests;
@@ -284,4 +284,4 @@ TEST(ReferenceFocalRegion, TheEstimatedErrorKeepsToTheTolerance) {
 }
 
 }  // namespace
-}  // namespace fenestra::reference
+}  // namespace fenestra::reference::referenceFocalRegionTest

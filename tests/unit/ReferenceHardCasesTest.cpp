@@ -8,7 +8,7 @@
 #include "rendering/reference/Reference.h"
 #include "tests/support/Scenes.h"
 
-namespace fenestra::reference {
+namespace fenestra::reference::referenceHardCasesTest {
 namespace {
 
 using namespace tests;
@@ -318,4 +318,4 @@ TEST(ReferenceHardCases, theSamePictureTwice) {
 }
 
 }  // namespace
-}  // namespace fenestra::reference
+}  // namespace fenestra::reference::referenceHardCasesTest

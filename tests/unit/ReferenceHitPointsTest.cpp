@@ -7,7 +7,7 @@
 #include "rendering/volume/Phantom.h"
 #include "tests/support/Scenes.h"
 
-namespace fenestra::reference {
+namespace fenestra::reference::referenceHitPointsTest {
 namespace {
 
 using namespace tests;
@@ -325,4 +325,4 @@ TEST(ReferenceHitPoints, withoutAFocusThereIsContextOnly) {
 }
 
 }  // namespace
-}  // namespace fenestra::reference
+}  // namespace fenestra::reference::referenceHitPointsTest

@@ -10,7 +10,7 @@
 #include "rendering/scene/Importance.h"
 #include "tests/support/Scenes.h"
 
-namespace fenestra::reference {
+namespace fenestra::reference::referenceImportanceTest {
 namespace {
 
 using namespace tests;
@@ -255,4 +255,4 @@ TEST(ReferenceImportance, APointIsGoneWhereItLiesBeforeTheCutOfAHigherLevelAndNo
 }
 
 }  // namespace
-}  // namespace fenestra::reference
+}  // namespace fenestra::reference::referenceImportanceTest

@@ -5,7 +5,7 @@
 
 #include "tests/unit/ReferenceTesting.h"
 
-namespace fenestra::reference {
+namespace fenestra::reference::referenceIntegralTest {
 namespace {
 
 // ---- The integral against closed forms ------------------------------------------------------------------------------
@@ -281,4 +281,4 @@ TEST(ReferenceIntegral, isWhatRulesOfOrderOneAndTwoConvergeTo) {
 }
 
 }  // namespace
-}  // namespace fenestra::reference
+}  // namespace fenestra::reference::referenceIntegralTest

@@ -10,7 +10,7 @@
 #include "rendering/reference/Reference.h"
 #include "tests/support/Scenes.h"
 
-namespace fenestra::reference {
+namespace fenestra::reference::referenceLabelSmoothingTest {
 namespace {
 
 using namespace tests;
@@ -70,4 +70,4 @@ TEST(ReferenceLabelSmoothing, HitsOfASlopeAndItsNormalsAreNearerToTheTruth) {
 }
 
 }  // namespace
-}  // namespace fenestra::reference
+}  // namespace fenestra::reference::referenceLabelSmoothingTest

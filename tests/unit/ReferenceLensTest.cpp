@@ -8,7 +8,7 @@
 #include "rendering/reference/Picture.h"
 #include "tests/support/Scenes.h"
 
-namespace fenestra::reference {
+namespace fenestra::reference::referenceLensTest {
 namespace {
 
 using namespace tests;
@@ -196,4 +196,4 @@ TEST(ReferenceLens, HasNoSurfaceWhereTheScanBeginsOrTheFocusLiesBare) {
 }
 
 }  // namespace
-}  // namespace fenestra::reference
+}  // namespace fenestra::reference::referenceLensTest

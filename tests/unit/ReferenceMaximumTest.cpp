@@ -9,7 +9,7 @@
 #include "rendering/reference/Field.h"
 #include "tests/support/Scenes.h"
 
-namespace fenestra::reference {
+namespace fenestra::reference::referenceMaximumTest {
 namespace {
 
 using namespace tests;
@@ -105,4 +105,4 @@ TEST(ReferenceMaximum, IsTheGreatestOfManySamples) {
 }
 
 }  // namespace
-}  // namespace fenestra::reference
+}  // namespace fenestra::reference::referenceMaximumTest

@@ -11,7 +11,7 @@
 #include "tests/support/FeatureScenes.h"
 #include "tests/support/Scenes.h"
 
-namespace fenestra::reference {
+namespace fenestra::reference::referencePeeledTest {
 namespace {
 
 using namespace tests;
@@ -234,4 +234,4 @@ TEST(ReferencePeeled, AtAmountZeroItIsThePlainPicture) {
 }
 
 }  // namespace
-}  // namespace fenestra::reference
+}  // namespace fenestra::reference::referencePeeledTest

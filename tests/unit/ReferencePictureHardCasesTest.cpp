@@ -7,7 +7,7 @@
 #include "rendering/reference/Picture.h"
 #include "tests/support/Scenes.h"
 
-namespace fenestra::reference {
+namespace fenestra::reference::referencePictureHardCasesTest {
 namespace {
 
 using namespace tests;
@@ -226,4 +226,4 @@ TEST(ReferencePictureHardCases, everyViewportAndWidth) {
 }
 
 }  // namespace
-}  // namespace fenestra::reference
+}  // namespace fenestra::reference::referencePictureHardCasesTest

@@ -3,7 +3,7 @@
 #include "rendering/scene/Lighting.h"
 #include "tests/unit/ReferenceTesting.h"
 
-namespace fenestra::reference {
+namespace fenestra::reference::referencePictureTest {
 namespace {
 
 // ---- Focus, lighting, cut faces -------------------------------------------------------------------------------------
@@ -288,4 +288,4 @@ TEST(ReferencePicture, somePixelsAreThoseOfTheWhole) {
 }
 
 }  // namespace
-}  // namespace fenestra::reference
+}  // namespace fenestra::reference::referencePictureTest

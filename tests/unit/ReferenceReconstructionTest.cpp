@@ -11,7 +11,7 @@
 #include "rendering/scene/SplineVolume.h"
 #include "tests/support/Scenes.h"
 
-namespace fenestra::reference {
+namespace fenestra::reference::referenceReconstructionTest {
 namespace {
 
 using namespace tests;
@@ -203,4 +203,4 @@ TEST(ReferenceFocusCells, CellsAroundKeptOnesAreKeptOfASplineButNotDroppedOnes) 
 }
 
 }  // namespace
-}  // namespace fenestra::reference
+}  // namespace fenestra::reference::referenceReconstructionTest

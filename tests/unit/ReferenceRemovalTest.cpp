@@ -8,7 +8,7 @@
 #include "rendering/settings/SettingWords.h"
 #include "tests/support/Scenes.h"
 
-namespace fenestra {
+namespace fenestra::referenceRemovalTest {
 namespace {
 
 using namespace tests;
@@ -380,4 +380,4 @@ TEST(Removal, OfEverythingLeavesAnEmptyPicture) {
 }
 
 }  // namespace
-}  // namespace fenestra
+}  // namespace fenestra::referenceRemovalTest

@@ -11,7 +11,7 @@
 #include "tests/support/Scenes.h"
 #include "tests/unit/FadingContexts.h"
 
-namespace fenestra::reference {
+namespace fenestra::reference::referenceSelectionTest {
 namespace {
 
 using namespace tests;
@@ -229,4 +229,4 @@ TEST(ReferenceSelection, TheEstimatedErrorKeepsToTheTolerance) {
 }
 
 }  // namespace
-}  // namespace fenestra::reference
+}  // namespace fenestra::reference::referenceSelectionTest

@@ -7,7 +7,7 @@
 #include "rendering/reference/Strokes.h"
 #include "tests/support/Scenes.h"
 
-namespace fenestra::tests {
+namespace fenestra::tests::referenceStrokesTest {
 namespace {
 
 constexpr glm::ivec2 size{41, 31};
@@ -138,4 +138,4 @@ TEST(ReferenceStrokes, FadeWithTheDistanceOfWhatTheyWerePaintedOn) {
 }
 
 }  // namespace
-}  // namespace fenestra::tests
+}  // namespace fenestra::tests::referenceStrokesTest

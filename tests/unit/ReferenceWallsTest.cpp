@@ -8,7 +8,7 @@
 #include "rendering/scene/Walls.h"
 #include "tests/support/Scenes.h"
 
-namespace fenestra::reference {
+namespace fenestra::reference::referenceWallsTest {
 namespace {
 
 using namespace tests;
@@ -197,4 +197,4 @@ TEST(ReferenceWalls, TheNearestWallShows) {
 }
 
 }  // namespace
-}  // namespace fenestra::reference
+}  // namespace fenestra::reference::referenceWallsTest

@@ -6,7 +6,7 @@
 
 #include "tests/support/Scenes.h"
 
-namespace fenestra {
+namespace fenestra::seenPointTest {
 namespace {
 
 using tests::gridOf;
@@ -103,4 +103,4 @@ TEST(SeenPoint, ATranslucentProtectedLabelIsNotSeenBeforeTheFocus) {
 }
 
 }  // namespace
-}  // namespace fenestra
+}  // namespace fenestra::seenPointTest

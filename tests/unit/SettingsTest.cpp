@@ -8,7 +8,7 @@
 
 #include "rendering/settings/Settings.h"
 
-namespace fenestra::tests {
+namespace fenestra::tests::settingsTest {
 namespace {
 
 /// Stands for any member in an aggregate's braces.
@@ -120,4 +120,4 @@ TEST(Settings, OptionsAreNamedOnce) {
 }
 
 }  // namespace
-}  // namespace fenestra::tests
+}  // namespace fenestra::tests::settingsTest

@@ -7,7 +7,7 @@
 #include "rendering/scene/Thinned.h"
 #include "tests/support/Scenes.h"
 
-namespace fenestra {
+namespace fenestra::shownVolumeTest {
 namespace {
 
 using namespace tests;
@@ -148,4 +148,4 @@ TEST(LabelSettings, OpacityIsThatOfTenMillimetres) {
 }
 
 }  // namespace
-}  // namespace fenestra
+}  // namespace fenestra::shownVolumeTest

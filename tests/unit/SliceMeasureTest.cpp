@@ -10,7 +10,7 @@
 
 #include "rendering/volume/SliceMeasure.h"
 
-namespace fenestra {
+namespace fenestra::sliceMeasureTest {
 namespace {
 
 struct Scan {
@@ -204,4 +204,4 @@ TEST(Measure, HandlesMoveWhatTheyMark) {
 }
 
 }  // namespace
-}  // namespace fenestra
+}  // namespace fenestra::sliceMeasureTest

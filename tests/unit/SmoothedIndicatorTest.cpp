@@ -13,7 +13,7 @@
 #include "rendering/volume/Threads.h"
 #include "tests/unit/SampledIndicator.h"
 
-namespace fenestra::tests {
+namespace fenestra::tests::smoothedIndicatorTest {
 namespace {
 
 constexpr std::array<LabelSmoothing, 2> strengths{LabelSmoothing::Light, LabelSmoothing::Strong};
@@ -250,4 +250,4 @@ TEST(SmoothedIndicator, CanBeInterrupted) {
 }
 
 }  // namespace
-}  // namespace fenestra::tests
+}  // namespace fenestra::tests::smoothedIndicatorTest

@@ -10,7 +10,7 @@
 #include "tests/support/TestData.h"
 #include "tests/unit/SampledIndicator.h"
 
-namespace fenestra::tests {
+namespace fenestra::tests::smoothedLabelsTest {
 namespace {
 
 /// Holds the smoothed volume of every label of at least `least` voxels to that of the exact surface.
@@ -58,4 +58,4 @@ TEST(SmoothedLabels, OfATorsoKeepTheirVolume) {
 }
 
 }  // namespace
-}  // namespace fenestra::tests
+}  // namespace fenestra::tests::smoothedLabelsTest

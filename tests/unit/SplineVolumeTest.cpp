@@ -8,7 +8,7 @@
 #include "rendering/scene/Scene.h"
 #include "tests/support/Scenes.h"
 
-namespace fenestra {
+namespace fenestra::splineVolumeTest {
 namespace {
 
 using namespace tests;
@@ -217,4 +217,4 @@ TEST(Reconstruction, AutoIsSmoothForCoarseAndSmallVolumesOnly) {
 }
 
 }  // namespace
-}  // namespace fenestra
+}  // namespace fenestra::splineVolumeTest

@@ -11,7 +11,7 @@
 
 #include "tests/support/Scenes.h"
 
-namespace fenestra::tests {
+namespace fenestra::tests::strokeLinesTest {
 namespace {
 
 constexpr glm::ivec2 size(150, 100);
@@ -317,4 +317,4 @@ TEST(StrokeLines, AGrowingStrokeChangesNothingAroundItsOldLines) {
 }
 
 }  // namespace
-}  // namespace fenestra::tests
+}  // namespace fenestra::tests::strokeLinesTest

@@ -11,7 +11,7 @@
 
 #include <gtest/gtest.h>
 
-namespace fenestra {
+namespace fenestra::threadsTest {
 namespace {
 
 TEST(ParallelFor, visitsEachItemOnce) {
@@ -122,4 +122,4 @@ TEST(Interruptible, HoldsUntilItEnds) {
 }
 
 }  // namespace
-}  // namespace fenestra
+}  // namespace fenestra::threadsTest

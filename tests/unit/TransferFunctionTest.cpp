@@ -7,7 +7,7 @@
 
 #include "tests/support/Scenes.h"
 
-namespace fenestra {
+namespace fenestra::transferFunctionTest {
 namespace {
 
 using namespace tests;
@@ -127,4 +127,4 @@ TEST(TransferFunction, gapsAreExactlyTheTransparentValues) {
 }
 
 }  // namespace
-}  // namespace fenestra
+}  // namespace fenestra::transferFunctionTest

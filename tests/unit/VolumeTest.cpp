@@ -7,7 +7,7 @@
 
 #include "tests/support/Scenes.h"
 
-namespace fenestra {
+namespace fenestra::volumeTest {
 namespace {
 
 using namespace tests;
@@ -163,4 +163,4 @@ TEST(Volume, LooksLikeACtWhereItsValuesArePlausibleHounsfieldUnits) {
   EXPECT_FALSE(looksLikeCtOf([](double share) { return share < 0.9 ? 0.0 : -2000.0 + 2200.0 * (share - 0.9) * 10.0; }));
 }
 
-}  // namespace fenestra
+}  // namespace fenestra::volumeTest

@@ -7,7 +7,7 @@
 #include "rendering/scene/Edges.h"
 #include "tests/support/Scenes.h"
 
-namespace fenestra::tests {
+namespace fenestra::tests::wallsTest {
 namespace {
 
 constexpr MethodStages::Walls around{WallPlacement::Around, true, true, true, true};
@@ -160,4 +160,4 @@ TEST(Walls, HaveNoSmoothEdges) {
 }
 
 }  // namespace
-}  // namespace fenestra::tests
+}  // namespace fenestra::tests::wallsTest

@@ -14,7 +14,9 @@
 namespace fenestra::viewer {
 namespace {
 
-QString tr(const char* text) { return QCoreApplication::translate("MeasureMenu", text); }
+struct MeasureMenuWords {
+  Q_DECLARE_TR_FUNCTIONS(MeasureMenu)
+};
 
 }  // namespace
 
@@ -35,11 +37,11 @@ void fillMeasureMenu(QMenu& menu, Workspace& workspace, std::size_t measure) {
   const auto add = [&menu](const QString& text, auto does) {
     QObject::connect(menu.addAction(text), &QAction::triggered, &menu, std::move(does));
   };
-  add(tr("Copy this measure"), [&workspace, measure] { copyMeasures(workspace, measure); });
-  add(tr("Copy all as a table (CSV)"), [&workspace] { copyMeasures(workspace); });
+  add(MeasureMenuWords::tr("Copy this measure"), [&workspace, measure] { copyMeasures(workspace, measure); });
+  add(MeasureMenuWords::tr("Copy all as a table (CSV)"), [&workspace] { copyMeasures(workspace); });
   menu.addSeparator();
-  add(tr("Delete this measure"), [&mode] { mode.removeSelected(); });
-  add(tr("Delete all measures"), [&mode] { mode.removeAll(); });
+  add(MeasureMenuWords::tr("Delete this measure"), [&mode] { mode.removeSelected(); });
+  add(MeasureMenuWords::tr("Delete all measures"), [&mode] { mode.removeAll(); });
 }
 
 void showMeasureMenu(Workspace& workspace, std::size_t measure, QPoint at) {

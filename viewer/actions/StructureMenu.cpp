@@ -11,7 +11,9 @@
 namespace fenestra::viewer {
 namespace {
 
-QString tr(const char* text) { return QCoreApplication::translate("StructureMenu", text); }
+struct StructureMenuWords {
+  Q_DECLARE_TR_FUNCTIONS(StructureMenu)
+};
 
 }  // namespace
 
@@ -26,19 +28,21 @@ void showStructureMenu(Workspace& workspace, glm::dvec3 world, QPoint at) {
   if (const Label* label = document.labelAt(world)) {
     const std::uint16_t value = label->value;
     const bool focused = document.isFocused(value);
-    add(tr("Focus on %1").arg(nameOf(*label)), [&document, value] { document.focusOn(value); });
-    add(focused ? tr("Take %1 out of the focus").arg(nameOf(*label)) : tr("Add %1 to the focus").arg(nameOf(*label)),
+    add(StructureMenuWords::tr("Focus on %1").arg(nameOf(*label)), [&document, value] { document.focusOn(value); });
+    add(focused ? StructureMenuWords::tr("Take %1 out of the focus").arg(nameOf(*label))
+                : StructureMenuWords::tr("Add %1 to the focus").arg(nameOf(*label)),
         [&document, value, focused] { document.setFocused(value, !focused); });
     menu.addSeparator();
   }
-  add(tr("Grow a region from here"), [&document, world] { document.growFrom(world); });
+  add(StructureMenuWords::tr("Grow a region from here"), [&document, world] { document.growFrom(world); });
   if (document.region()) {
-    add(tr("Add this to the region"), [&document, world] { document.addSeed(world, true); });
-    add(tr("Take this away from the region"), [&document, world] { document.addSeed(world, false); });
+    add(StructureMenuWords::tr("Add this to the region"), [&document, world] { document.addSeed(world, true); });
+    add(StructureMenuWords::tr("Take this away from the region"),
+        [&document, world] { document.addSeed(world, false); });
   }
   menu.addSeparator();
-  add(tr("Crosshair here"), [&workspace, world] { workspace.cursor.moveTo(world); });
-  add(tr("No focus"), [&document] {
+  add(StructureMenuWords::tr("Crosshair here"), [&workspace, world] { workspace.cursor.moveTo(world); });
+  add(StructureMenuWords::tr("No focus"), [&document] {
     document.setFocus(std::monostate{});
   })->setEnabled(!std::holds_alternative<std::monostate>(document.focus()));
   menu.exec(at);

@@ -17,7 +17,9 @@
 namespace fenestra::viewer {
 namespace {
 
-QString tr(const char* text) { return QCoreApplication::translate("Dialogs", text); }
+struct DialogsWords {
+  Q_DECLARE_TR_FUNCTIONS(Dialogs)
+};
 
 }  // namespace
 
@@ -46,20 +48,22 @@ QString keysHtml(const QMenuBar& menus) {
     html += QStringLiteral("<tr><td><b>%1</b>&nbsp;&nbsp;</td><td>%2</td></tr>")
                 .arg(keys.toHtmlEscaped(), meaning.toHtmlEscaped());
   };
-  for (const Gesture& each : gestures) line(tr(each.where), tr(each.gesture), tr(each.meaning));
-  for (const MenuKey& each : menuKeys(menus)) line(tr("Menu: %1").arg(each.menu), each.keys, each.text);
+  for (const Gesture& each : gestures)
+    line(DialogsWords::tr(each.where), DialogsWords::tr(each.gesture), DialogsWords::tr(each.meaning));
+  for (const MenuKey& each : menuKeys(menus)) line(DialogsWords::tr("Menu: %1").arg(each.menu), each.keys, each.text);
   return html + QStringLiteral("</table>");
 }
 
 QString keysPageHtml(const QMenuBar& menus) {
   return QStringLiteral("<h1>%1</h1><p>%2</p>")
-             .arg(tr("Keys and mouse"), tr("What the mouse does in each view, then the keys of the menus.")) +
+             .arg(DialogsWords::tr("Keys and mouse"),
+                  DialogsWords::tr("What the mouse does in each view, then the keys of the menus.")) +
          keysHtml(menus);
 }
 
 void showKeys(const QMenuBar& menus, QWidget* parent) {
   QDialog dialog(parent);
-  dialog.setWindowTitle(tr("Keys and mouse"));
+  dialog.setWindowTitle(DialogsWords::tr("Keys and mouse"));
   auto* text = new QTextBrowser;
   text->setHtml(keysHtml(menus));
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close);
@@ -72,15 +76,17 @@ void showKeys(const QMenuBar& menus, QWidget* parent) {
 }
 
 void showAbout(const GlSupport& gl, std::optional<Schedule> schedule, QWidget* parent) {
-  QString views = gl.available ? gl.renderer.toHtmlEscaped() : tr("not available");
-  if (schedule) views += tr(" (shader schedule: %1)").arg(QString::fromStdString(std::string(nameOf(*schedule))));
+  QString views = gl.available ? gl.renderer.toHtmlEscaped() : DialogsWords::tr("not available");
+  if (schedule)
+    views += DialogsWords::tr(" (shader schedule: %1)").arg(QString::fromStdString(std::string(nameOf(*schedule))));
   QMessageBox::about(
-      parent, tr("About Fenestra"),
-      tr("<h3>Fenestra %1</h3>"
-         "<p>A medical volume viewer that opens an adaptive cutaway around the structure you want to see.</p>"
-         "<p><b>Not for diagnostic use.</b></p>"
-         "<p>Free software under the GNU General Public License, version 3 or later. It comes with no warranty.</p>"
-         "<p>3-D views: %2</p>")
+      parent, DialogsWords::tr("About Fenestra"),
+      DialogsWords::tr(
+          "<h3>Fenestra %1</h3>"
+          "<p>A medical volume viewer that opens an adaptive cutaway around the structure you want to see.</p>"
+          "<p><b>Not for diagnostic use.</b></p>"
+          "<p>Free software under the GNU General Public License, version 3 or later. It comes with no warranty.</p>"
+          "<p>3-D views: %2</p>")
           .arg(QApplication::applicationVersion(), views));
 }
 

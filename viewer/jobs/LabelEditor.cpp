@@ -10,8 +10,6 @@ namespace {
 
 using namespace segmentation;
 
-constexpr double mm3PerMl = 1000.0;
-
 Mask edited(const Mask& mask, LabelOperation operation, double number) {
   switch (operation) {
     case LabelOperation::Grow:

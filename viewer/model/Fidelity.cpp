@@ -13,7 +13,9 @@ namespace {
 
 using Causes = std::vector<FidelityCause>;
 
-QString tr(const char* text) { return QCoreApplication::translate("Fidelity", text); }
+struct FidelityWords {
+  Q_DECLARE_TR_FUNCTIONS(Fidelity)
+};
 
 QString counted(std::size_t count, const QString& one, const QString& many) {
   return count == 1 ? one : many.arg(count);
@@ -27,17 +29,19 @@ QString mm(double length) { return QString::number(length, 'g', 3); }
 void addGeometry(Causes& causes, const io::GeometryReport& report, const PictureState& state) {
   if (report.applied == io::Regularise::Off) {
     if (report.displacement > io::GeometryReport::tolerance)
-      alter(causes, tr("slices are shown up to %1 mm from their true places").arg(mm(report.displacement)));
+      alter(causes,
+            FidelityWords::tr("slices are shown up to %1 mm from their true places").arg(mm(report.displacement)));
   } else {
-    alter(causes, (report.sheared ? tr("tilt is made straight: %1 slices are resampled onto %2 planes")
-                                  : tr("%1 slices are resampled onto %2 even planes"))
+    alter(causes, (report.sheared ? FidelityWords::tr("tilt is made straight: %1 slices are resampled onto %2 planes")
+                                  : FidelityWords::tr("%1 slices are resampled onto %2 even planes"))
                       .arg(report.slices)
                       .arg(report.planes));
   }
   if (const auto filled = report.interpolatedPlanes.size(); filled > 0)
-    alter(causes, state.isInterpolated
-                      ? tr("this plane was not scanned: it is interpolated across a gap")
-                      : tr("%1 of %2 planes are interpolated across gaps").arg(filled).arg(report.planes));
+    alter(causes,
+          state.isInterpolated
+              ? FidelityWords::tr("this plane was not scanned: it is interpolated across a gap")
+              : FidelityWords::tr("%1 of %2 planes are interpolated across gaps").arg(filled).arg(report.planes));
 }
 
 /// What a reader's warning means for pictures; empty: it does not alter them, or the geometry's report tells it.
@@ -45,22 +49,22 @@ QString alterationBy(io::Warning::Kind kind) {
   using Kind = io::Warning::Kind;
   switch (kind) {
     case Kind::NoGeometry:
-      return tr("places or sizes are assumed, because the file does not give them");
+      return FidelityWords::tr("places or sizes are assumed, because the file does not give them");
     case Kind::DamagedPixels:
-      return tr("some values are outside of what the file's header allows");
+      return FidelityWords::tr("some values are outside of what the file's header allows");
     case Kind::PrecisionLoss:
-      return tr("values are rounded to the precision of the program's numbers");
+      return FidelityWords::tr("values are rounded to the precision of the program's numbers");
     case Kind::MissingSlices:
-      return tr("slices are missing");
+      return FidelityWords::tr("slices are missing");
     case Kind::UnreadableFiles:
-      return tr("files were left out");
+      return FidelityWords::tr("files were left out");
     case Kind::DuplicateSlices:
-      return tr("slices of one place were left out");
+      return FidelityWords::tr("slices of one place were left out");
     case Kind::MixedSizes:
     case Kind::MixedOrientations:
-      return tr("slices of another size or direction are shown as the first one");
+      return FidelityWords::tr("slices of another size or direction are shown as the first one");
     case Kind::ChangedData:
-      return tr("the data differ from those of the session");
+      return FidelityWords::tr("the data differ from those of the session");
     default:
       return {};
   }
@@ -74,7 +78,8 @@ void addWarnings(Causes& causes, const io::Study& study) {
     QString text = alterationBy(warning.kind);
     if (text.isEmpty()) continue;
     if (!warning.files.empty())
-      text += QStringLiteral(" (%1)").arg(counted(warning.files.size(), tr("1 file"), tr("%1 files")));
+      text += QStringLiteral(" (%1)").arg(
+          counted(warning.files.size(), FidelityWords::tr("1 file"), FidelityWords::tr("%1 files")));
     const FidelityCause cause{Fidelity::Altered, text};
     if (std::find(causes.begin(), causes.end(), cause) == causes.end()) causes.push_back(cause);
   }
@@ -84,14 +89,16 @@ void addWarnings(Causes& causes, const io::Study& study) {
 void addParts(Causes& causes, const Scene& scene) {
   const Look& look = scene.look;
   if (const auto count = halfSpaces(look.clipping, scene.volume->grid).size(); count > 0)
-    alter(causes, counted(count, tr("a part of the volume is clipped, by 1 plane"),
-                          tr("a part of the volume is clipped, by %1 planes")));
+    alter(causes, counted(count, FidelityWords::tr("a part of the volume is clipped, by 1 plane"),
+                          FidelityWords::tr("a part of the volume is clipped, by %1 planes")));
   if (const auto count = labelsWith(LabelRole::Hidden, scene).size(); count > 0)
-    alter(causes, counted(count, tr("1 structure is hidden"), tr("%1 structures are hidden")));
-  if (scene.removed) alter(causes, tr("a part of the volume is carved away"));
-  if (look.hideTable && scene.table && scene.table->count > 0) alter(causes, tr("the scanner's table is left out"));
-  if (explosionOf(look)) alter(causes, tr("parts are moved apart: distances between them do not hold"));
-  if (peelOf(look)) alter(causes, tr("a layer is rolled up: distances on it do not hold"));
+    alter(causes,
+          counted(count, FidelityWords::tr("1 structure is hidden"), FidelityWords::tr("%1 structures are hidden")));
+  if (scene.removed) alter(causes, FidelityWords::tr("a part of the volume is carved away"));
+  if (look.hideTable && scene.table && scene.table->count > 0)
+    alter(causes, FidelityWords::tr("the scanner's table is left out"));
+  if (explosionOf(look)) alter(causes, FidelityWords::tr("parts are moved apart: distances between them do not hold"));
+  if (peelOf(look)) alter(causes, FidelityWords::tr("a layer is rolled up: distances on it do not hold"));
 }
 
 void addSampling(Causes& causes, const Scene& scene, const PictureState& state) {
@@ -99,31 +106,35 @@ void addSampling(Causes& causes, const Scene& scene, const PictureState& state) 
   if (!state.reduction.isEmpty()) alter(causes, state.reduction);
   switch (reconstructionOf(scene)) {
     case Reconstruction::Smooth:
-      alter(causes, tr("values are smoothed between voxels"));
+      alter(causes, FidelityWords::tr("values are smoothed between voxels"));
       break;
     case Reconstruction::Smoother:
-      alter(causes, tr("values are smoothed over several voxels"));
+      alter(causes, FidelityWords::tr("values are smoothed over several voxels"));
       break;
     case Reconstruction::Cubic:
-      alter(causes, tr("values between voxels follow a cubic spline, which may overshoot"));
+      alter(causes, FidelityWords::tr("values between voxels follow a cubic spline, which may overshoot"));
       break;
     case Reconstruction::Linear:
     case Reconstruction::Auto:
       break;
   }
   if (look.labelSmoothing != LabelSmoothing::Off && std::holds_alternative<LabelFocus>(look.focus))
-    alter(causes, look.labelSmoothing == LabelSmoothing::Light ? tr("the surface of labels is smoothed lightly")
-                                                               : tr("the surface of labels is smoothed strongly"));
+    alter(causes, look.labelSmoothing == LabelSmoothing::Light
+                      ? FidelityWords::tr("the surface of labels is smoothed lightly")
+                      : FidelityWords::tr("the surface of labels is smoothed strongly"));
   if (state.isDraft) {
-    alter(causes, tr("a draft while something moves, %1 % of the size").arg(100.0 * state.scale, 0, 'f', 0));
+    alter(causes,
+          FidelityWords::tr("a draft while something moves, %1 % of the size").arg(100.0 * state.scale, 0, 'f', 0));
   } else if (!state.maxError) {
-    alter(causes, tr("the sampling error has no bound (quality: %1)").arg(nameOf(Effort{.quality = state.quality})));
+    alter(causes, FidelityWords::tr("the sampling error has no bound (quality: %1)")
+                      .arg(nameOf(Effort{.quality = state.quality})));
   } else {
     causes.push_back({*state.maxError > invisibleError ? Fidelity::Bounded : Fidelity::Faithful,
-                      tr("the sampling error is at most %1/255").arg(*state.maxError)});
+                      FidelityWords::tr("the sampling error is at most %1/255").arg(*state.maxError)});
   }
-  causes.push_back(
-      {Fidelity::Faithful, state.verified.isEmpty() ? tr("not verified") : tr("verified: %1").arg(state.verified)});
+  causes.push_back({Fidelity::Faithful, state.verified.isEmpty()
+                                            ? FidelityWords::tr("not verified")
+                                            : FidelityWords::tr("verified: %1").arg(state.verified)});
 }
 
 }  // namespace
@@ -131,7 +142,7 @@ void addSampling(Causes& causes, const Scene& scene, const PictureState& state) 
 std::vector<FidelityCause> fidelityOf(const io::Study& study, const Scene& scene, const PictureState& state) {
   Causes causes;
   if (!scene.volume) return causes;
-  if (!state.isCurrent) alter(causes, tr("not yet what was asked for"));
+  if (!state.isCurrent) alter(causes, FidelityWords::tr("not yet what was asked for"));
   if (study.geometry) addGeometry(causes, *study.geometry, state);
   addWarnings(causes, study);
   if (state.is3D) {
@@ -150,7 +161,9 @@ Fidelity gradeOf(const std::vector<FidelityCause>& causes) {
 }
 
 QString nameOf(Fidelity grade) {
-  return grade == Fidelity::Faithful ? tr("faithful") : grade == Fidelity::Bounded ? tr("bounded") : tr("altered");
+  return grade == Fidelity::Faithful  ? FidelityWords::tr("faithful")
+         : grade == Fidelity::Bounded ? FidelityWords::tr("bounded")
+                                      : FidelityWords::tr("altered");
 }
 
 QString symbolOf(Fidelity grade) {

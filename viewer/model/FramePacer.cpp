@@ -14,7 +14,7 @@ constexpr double weight = 0.4;
 
 /// The first picture of all: the fewest pixels, and the sampling that needs the fewest programs, because they are
 /// compiled meanwhile.
-const Effort first{FramePacer::leastScale, Quality::Normal};
+const Effort firstEffort{FramePacer::leastScale, Quality::Normal};
 
 /// A frame that holds both views may take so many times the budget; a longer one leaves out the view that follows.
 constexpr double latest = 1.2;
@@ -54,7 +54,7 @@ double FramePacer::timeForPictures() const {
 Effort FramePacer::moving(int count, bool leads) const {
   const double time = timeForPictures();
   if (restCost_ && *restCost_ * count <= time) return rest_;
-  if (!draftCost_ && !restCost_) return first;
+  if (!draftCost_ && !restCost_) return firstEffort;
   // Until a draft is measured, half the time of a picture at rest is a guess.
   const double cost = draftCost_ ? *draftCost_ : 0.5 * *restCost_;
   const double share = count == 1 ? 1.0 : leads ? leaderShare : 1.0 - leaderShare;

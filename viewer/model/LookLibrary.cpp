@@ -16,7 +16,7 @@ namespace fs = std::filesystem;
 constexpr const char* ending = ".json";
 constexpr qsizetype longestName = 100;  ///< bytes of a file's name; file systems commonly allow 255
 
-QString nameOf(const LookLibrary::Entry& entry) { return QString::fromStdString(entry.preset.name); }
+QString entryName(const LookLibrary::Entry& entry) { return QString::fromStdString(entry.preset.name); }
 
 void removeFile(const fs::path& file) {
   std::error_code failure;
@@ -30,7 +30,7 @@ LookLibrary::LookLibrary(fs::path folder, QObject* parent) : QObject(parent), fo
 
 const LookLibrary::Entry* LookLibrary::find(const QString& name) const {
   const auto at =
-      std::find_if(entries_.begin(), entries_.end(), [&](const Entry& each) { return nameOf(each) == name; });
+      std::find_if(entries_.begin(), entries_.end(), [&](const Entry& each) { return entryName(each) == name; });
   return at == entries_.end() ? nullptr : &*at;
 }
 
@@ -43,8 +43,8 @@ void LookLibrary::reload() {
     try {
       Entry entry{file->path(), io::readLook(file->path())};
       // A file copied by hand holds its original's name.
-      if (find(nameOf(entry))) entry.preset.name = file->path().stem().string();
-      if (!find(nameOf(entry))) entries_.push_back(std::move(entry));
+      if (find(entryName(entry))) entry.preset.name = file->path().stem().string();
+      if (!find(entryName(entry))) entries_.push_back(std::move(entry));
     } catch (const io::Error& error) {
       problems_.emplace_back(error.what());
     }
@@ -52,7 +52,7 @@ void LookLibrary::reload() {
   QCollator collator;
   collator.setNumericMode(true);
   std::sort(entries_.begin(), entries_.end(),
-            [&](const Entry& a, const Entry& b) { return collator.compare(nameOf(a), nameOf(b)) < 0; });
+            [&](const Entry& a, const Entry& b) { return collator.compare(entryName(a), entryName(b)) < 0; });
   Q_EMIT changed();
 }
 

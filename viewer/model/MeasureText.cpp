@@ -9,7 +9,9 @@
 namespace fenestra::viewer {
 namespace {
 
-QString tr(const char* text) { return QCoreApplication::translate("Measure", text); }
+struct MeasureWords {
+  Q_DECLARE_TR_FUNCTIONS(Measure)
+};
 
 QString exact(double number) { return QString::number(number, 'g', QLocale::FloatingPointShortest); }
 QString exact(const std::optional<double>& number) { return number ? exact(*number) : QString(); }
@@ -32,15 +34,15 @@ QString csvRow(const Measure& measure, const MeasureValues& values, const QStrin
 QString nameOf(MeasureKind kind) {
   switch (kind) {
     case MeasureKind::Distance:
-      return tr("Distance");
+      return MeasureWords::tr("Distance");
     case MeasureKind::Angle:
-      return tr("Angle");
+      return MeasureWords::tr("Angle");
     case MeasureKind::Ellipse:
-      return tr("Ellipse");
+      return MeasureWords::tr("Ellipse");
     case MeasureKind::Rectangle:
       break;
   }
-  return tr("Rectangle");
+  return MeasureWords::tr("Rectangle");
 }
 
 QString valueText(double value, ValueRange range) {
@@ -49,18 +51,19 @@ QString valueText(double value, ValueRange range) {
 
 QStringList linesOf(const MeasureValues& values, const Volume& volume) {
   QStringList lines;
-  if (values.length) lines << tr("%1 mm").arg(*values.length, 0, 'f', 1);
-  if (values.angle) lines << tr("%1°").arg(*values.angle, 0, 'f', 1);
+  if (values.length) lines << MeasureWords::tr("%1 mm").arg(*values.length, 0, 'f', 1);
+  if (values.angle) lines << MeasureWords::tr("%1°").arg(*values.angle, 0, 'f', 1);
   if (const auto& region = values.region) {
     const int decimals = volume.range.high - volume.range.low < 20.0 ? 3 : 1;
-    lines << tr("Mean %1 %2").arg(region->mean, 0, 'f', decimals).arg(unitText(volume.unit)).trimmed()
-          << tr("SD %1").arg(region->deviation, 0, 'f', decimals)
-          << tr("%1 to %2").arg(valueText(region->least, volume.range), valueText(region->greatest, volume.range));
+    lines << MeasureWords::tr("Mean %1 %2").arg(region->mean, 0, 'f', decimals).arg(unitText(volume.unit)).trimmed()
+          << MeasureWords::tr("SD %1").arg(region->deviation, 0, 'f', decimals)
+          << MeasureWords::tr("%1 to %2")
+                 .arg(valueText(region->least, volume.range), valueText(region->greatest, volume.range));
   }
   if (values.area) {
     constexpr double perCm2 = 100.0;  // mm²
-    lines << (*values.area < perCm2 ? tr("%1 mm²").arg(*values.area, 0, 'f', 1)
-                                    : tr("%1 cm²").arg(*values.area / perCm2, 0, 'f', 2));
+    lines << (*values.area < perCm2 ? MeasureWords::tr("%1 mm²").arg(*values.area, 0, 'f', 1)
+                                    : MeasureWords::tr("%1 cm²").arg(*values.area / perCm2, 0, 'f', 2));
   }
   return lines;
 }

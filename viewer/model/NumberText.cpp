@@ -8,7 +8,9 @@
 namespace fenestra::viewer {
 namespace {
 
-QString tr(const char* text) { return QCoreApplication::translate("Number", text); }
+struct NumberWords {
+  Q_DECLARE_TR_FUNCTIONS(Number)
+};
 
 /// Three digits at least; all before the point, in groups of three.
 QString digits(double value) {
@@ -24,7 +26,7 @@ QString digits(double value) {
 
 QString volumeText(double ml) {
   constexpr double perLitre = 1000.0, mostMl = 10.0 * perLitre;
-  return ml < mostMl ? tr("%1 ml").arg(digits(ml)) : tr("%1 l").arg(digits(ml / perLitre));
+  return ml < mostMl ? NumberWords::tr("%1 ml").arg(digits(ml)) : NumberWords::tr("%1 l").arg(digits(ml / perLitre));
 }
 
 QString unitText(const std::string& unit) {

@@ -13,10 +13,11 @@ namespace {
 using segmentation::Border;
 using segmentation::RegionFacts;
 
-constexpr double mm3PerMl = 1000.0;
 constexpr double secondShare = 0.5;  ///< of the direction's greatest component: less is not said
 
-QString tr(const char* text) { return QCoreApplication::translate("Region", text); }
+struct RegionWords {
+  Q_DECLARE_TR_FUNCTIONS(Region)
+};
 
 /// Whole numbers, or as many digits as `scale`, a spread of the values, gives sense to.
 QString number(double value, double scale) {
@@ -28,11 +29,12 @@ QString borderSentence(const RegionFacts& facts, const QString& unit) {
   const QString step = number(facts.contrast, 10.0 * facts.contrast) + unit;
   switch (*facts.border) {
     case Border::Clear:
-      return tr("Its border is clear: values change by %1 there.").arg(step);
+      return RegionWords::tr("Its border is clear: values change by %1 there.").arg(step);
     case Border::Fair:
-      return tr("Its border is fair: values change by %1 there.").arg(step);
+      return RegionWords::tr("Its border is fair: values change by %1 there.").arg(step);
     case Border::Doubtful:
-      return tr("It is doubtful: values change by only %1 along its border. Check its outline on the slices.")
+      return RegionWords::tr(
+                 "It is doubtful: values change by only %1 along its border. Check its outline on the slices.")
           .arg(step);
   }
   return {};
@@ -42,11 +44,11 @@ QString borderSentence(const RegionFacts& facts, const QString& unit) {
 QString sideText(int axis, bool positive) {
   switch (axis) {
     case 0:
-      return positive ? tr("the left") : tr("the right");
+      return positive ? RegionWords::tr("the left") : RegionWords::tr("the right");
     case 1:
-      return positive ? tr("the back") : tr("the front");
+      return positive ? RegionWords::tr("the back") : RegionWords::tr("the front");
     default:
-      return positive ? tr("the head") : tr("the feet");
+      return positive ? RegionWords::tr("the head") : RegionWords::tr("the feet");
   }
 }
 
@@ -56,21 +58,21 @@ QString directionText(glm::dvec3 towards) {
   const glm::dvec3 length = glm::abs(towards);
   int first = length.x >= length.y ? 0 : 1;
   if (length.z > length[first]) first = 2;
-  if (length[first] == 0.0) return tr("on all sides");
+  if (length[first] == 0.0) return RegionWords::tr("on all sides");
   const int next = (first + 1) % 3, last = (first + 2) % 3, second = length[next] >= length[last] ? next : last;
   const QString side = sideText(first, towards[first] > 0.0);
-  if (length[second] < secondShare * length[first]) return tr("towards %1").arg(side);
-  return tr("towards %1 and %2").arg(side, sideText(second, towards[second] > 0.0));
+  if (length[second] < secondShare * length[first]) return RegionWords::tr("towards %1").arg(side);
+  return RegionWords::tr("towards %1 and %2").arg(side, sideText(second, towards[second] > 0.0));
 }
 
 QStringList regionSentences(const RegionFacts& facts, const std::string& unit) {
   const QString suffix = unitSuffix(unit);
   QStringList sentences{
-      tr("Values: %1 ± %2.")
+      RegionWords::tr("Values: %1 ± %2.")
           .arg(number(facts.mean, 10.0 * facts.deviation), number(facts.deviation, 10.0 * facts.deviation) + suffix)};
   if (facts.border) sentences << borderSentence(facts, suffix);
   if (facts.leak)
-    sentences << tr("Next leak: at %1 to %2, %3.")
+    sentences << RegionWords::tr("Next leak: at %1 to %2, %3.")
                      .arg(number(facts.leak->tolerance, facts.leak->tolerance) + suffix,
                           volumeText(facts.leak->volume / mm3PerMl), directionText(facts.leak->towards));
   return sentences;

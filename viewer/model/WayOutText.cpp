@@ -7,7 +7,9 @@
 namespace fenestra::viewer {
 namespace {
 
-QString tr(const char* text) { return QCoreApplication::translate("WayOut", text); }
+struct WayOutWords {
+  Q_DECLARE_TR_FUNCTIONS(WayOut)
+};
 
 QString joined(const QString& text, io::WayOut way) {
   return way == io::WayOut::None ? text : text + QStringLiteral("; ") + windowWords(way);
@@ -21,47 +23,48 @@ QString windowWords(io::WayOut way) {
     case WayOut::None:
       return {};
     case WayOut::ChooseTime:
-      return tr("File → Choose series has the others");
+      return WayOutWords::tr("File → Choose series has the others");
     case WayOut::OnlyTime:
-      return tr("it holds one volume: open it without a time point");
+      return WayOutWords::tr("it holds one volume: open it without a time point");
     case WayOut::ChooseSeries:
-      return tr("open it without naming a series; File → Choose series then lists those that are there");
+      return WayOutWords::tr("open it without naming a series; File → Choose series then lists those that are there");
     case WayOut::SayVoxelSize:
-      return tr("open it as a volume: a dialog asks for the size");
+      return WayOutWords::tr("open it as a volume: a dialog asks for the size");
     case WayOut::CorrectVoxelSize:
-      return tr("File → Size of the voxels says otherwise");
+      return WayOutWords::tr("File → Size of the voxels says otherwise");
     case WayOut::OmitVoxelSize:
-      return tr("open it without a size of voxels, which TIFF and raw files need");
+      return WayOutWords::tr("open it without a size of voxels, which TIFF and raw files need");
     case WayOut::SayModality:
-      return tr("File → Kind of values says otherwise");
+      return WayOutWords::tr("File → Kind of values says otherwise");
     case WayOut::AllowOutside:
-      return tr("put the file into the folder of its header");
+      return WayOutWords::tr("put the file into the folder of its header");
     case WayOut::KeepSlices:
-      return tr("open it as it is stored: Load as is, in the notice about its slices");
+      return WayOutWords::tr("open it as it is stored: Load as is, in the notice about its slices");
     case WayOut::DescribeRaw:
-      return tr("DICOM, NIfTI, NRRD, MetaImage, MGH, Analyze and TIFF are recognised by content");
+      return WayOutWords::tr("DICOM, NIfTI, NRRD, MetaImage, MGH, Analyze and TIFF are recognised by content");
     case WayOut::ShowTable:
-      return tr("\"Hide the table\" in the panel Context brings it back");
+      return WayOutWords::tr("\"Hide the table\" in the panel Context brings it back");
     case WayOut::NameLabels:
-      return tr("open a label map with File → Open labels");
+      return WayOutWords::tr("open a label map with File → Open labels");
     case WayOut::NameFocus:
-      return tr("choose one in the panel Focus");
+      return WayOutWords::tr("choose one in the panel Focus");
     case WayOut::NameFocusLabels:
-      return tr("choose the labels of the focus in the panel Focus");
+      return WayOutWords::tr("choose the labels of the focus in the panel Focus");
     case WayOut::FindVolume:
-      return tr("open the session again with File → Open session, which asks where they are, or put them beside it");
+      return WayOutWords::tr(
+          "open the session again with File → Open session, which asks where they are, or put them beside it");
     case WayOut::FindLabels:
-      return tr("open the session again with File → Open session, which asks where they are");
+      return WayOutWords::tr("open the session again with File → Open session, which asks where they are");
     case WayOut::OmitReading:
-      return tr("open it without saying how its volume is read");
+      return WayOutWords::tr("open it without saying how its volume is read");
     case WayOut::OmitData:
-      return tr("open it without files");
+      return WayOutWords::tr("open it without files");
     case WayOut::RaiseTolerance:
-      return tr("raise the tolerance in the panel Focus");
+      return WayOutWords::tr("raise the tolerance in the panel Focus");
     case WayOut::ChooseSeed:
-      return tr("click at another place, or take a point outside away");
+      return WayOutWords::tr("click at another place, or take a point outside away");
     case WayOut::ChangeSelection:
-      return tr("select more, or take less away");
+      return WayOutWords::tr("select more, or take less away");
   }
   return {};
 }

@@ -14,11 +14,7 @@
 #include "viewer/model/RegionText.h"
 
 namespace fenestra::viewer {
-namespace {
-
-constexpr double mm3PerMl = 1000.0;
-
-}  // namespace
+namespace {}  // namespace
 
 RegionPanel::RegionPanel(Document& document, QWidget* parent)
     : QWidget(parent),

@@ -15,9 +15,8 @@ namespace {
 
 using segmentation::stepCount;
 
-constexpr double mm3PerMl = 1000.0;
-const QColor paper(18, 20, 23), fill(62, 68, 76), line(196, 202, 210), plateau(86, 196, 110), present(255, 196, 84),
-    faint(128, 133, 140);
+const QColor curvePaper(18, 20, 23), fill(62, 68, 76), line(196, 202, 210), plateau(86, 196, 110),
+    present(255, 196, 84), curveFaint(128, 133, 140);
 
 /// "0.01 ml", "12 ml".
 QString volumeText(double ml) {
@@ -65,7 +64,7 @@ int TolerancePlot::stepAt(double x) const {
 void TolerancePlot::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
-  painter.fillRect(rect(), paper);
+  painter.fillRect(rect(), curvePaper);
   const segmentation::Growth* growth = document_.growth();
   if (!growth) return;
   const QRectF plot = area();
@@ -102,7 +101,7 @@ void TolerancePlot::paintEvent(QPaintEvent*) {
   QFont small = font();
   small.setPointSizeF(0.8 * small.pointSizeF());
   painter.setFont(small);
-  painter.setPen(faint);
+  painter.setPen(curveFaint);
   painter.drawText(plot.adjusted(2, 0, 0, 0), Qt::AlignLeft | Qt::AlignTop, volumeText(std::pow(10.0, curve.high)));
   painter.drawText(plot.adjusted(2, 0, 0, 0), Qt::AlignLeft | Qt::AlignBottom, volumeText(std::pow(10.0, curve.low)));
 }

@@ -21,7 +21,9 @@ namespace {
 constexpr double leastAngle = 0.1;
 constexpr double arrowShare = 0.3;  ///< length of a plane's arrow over the radius of the volume
 
-QString tr(const char* text) { return QCoreApplication::translate("ClipTool", text); }
+struct ClipToolWords {
+  Q_DECLARE_TR_FUNCTIONS(ClipTool)
+};
 
 QColor colourOf(std::size_t plane) {
   static const std::array<QColor, Clipping::mostPlanes> colours{QColor(205, 170, 255), QColor(110, 190, 255),
@@ -163,7 +165,7 @@ void ClipTool::dragFace(QPointF moved) {
     high = std::clamp(high + by, low + least, frame.high[axis]);
   else
     low = std::clamp(low + by, frame.low[axis], high - least);
-  document_.setClipping(std::move(clipping), tr("Crop"));
+  document_.setClipping(std::move(clipping), ClipToolWords::tr("Crop"));
 }
 
 void ClipTool::dragPlane(QPointF moved) {
@@ -173,7 +175,7 @@ void ClipTool::dragPlane(QPointF moved) {
   const double middle = glm::dot(plane.normal, grid.centre()), reach = grid.boundingRadius();
   const double by = draggedBy(moved) * glm::dot(grip_->along, plane.normal);
   plane.offset = std::clamp(plane.offset + by, middle - reach, middle + reach);
-  document_.setClipping(std::move(clipping), tr("Move the clip plane"));
+  document_.setClipping(std::move(clipping), ClipToolWords::tr("Move the clip plane"));
 }
 
 void ClipTool::tiltPlane(QPointF moved) {
@@ -191,7 +193,7 @@ void ClipTool::tiltPlane(QPointF moved) {
   const glm::dvec3 aside = plane.normal - grip_->along * glm::dot(plane.normal, grip_->along);
   plane.normal = glm::normalize(along * glm::dot(plane.normal, grip_->along) + aside);
   plane.offset = glm::dot(plane.normal, grip_->foot);
-  document_.setClipping(std::move(clipping), tr("Tilt the clip plane"));
+  document_.setClipping(std::move(clipping), ClipToolWords::tr("Tilt the clip plane"));
 }
 
 void ClipTool::drawLine(QPainter& painter, glm::dvec3 from, glm::dvec3 to, const QColor& colour) const {

@@ -17,8 +17,7 @@ namespace fenestra::viewer {
 namespace {
 
 // Device-independent pixels.
-constexpr double handleReach = 7.0, lineReach = 5.0;
-constexpr double clickSlack = 4.0;  ///< between press and release of a click
+constexpr double measureReach = 7.0, lineReach = 5.0;
 
 double distanceTo(const QLineF& line, QPointF point) {
   const QPointF along = line.p2() - line.p1(), from = point - line.p1();
@@ -51,7 +50,7 @@ std::optional<MeasureTool::Grip> MeasureTool::gripAt(QPointF position) const {
     const std::optional<ShownMeasure> measure = shown(document_.measures()[index], {});
     if (!measure) continue;
     for (qsizetype handle = 0; handle < measure->handles.size(); ++handle)
-      if (QLineF(measure->handles[handle], position).length() <= handleReach)
+      if (QLineF(measure->handles[handle], position).length() <= measureReach)
         return Grip{index, static_cast<std::size_t>(handle)};
     const QPolygonF outline = outlineOf(*measure);
     for (qsizetype corner = 1; corner < outline.size() && !line; ++corner)

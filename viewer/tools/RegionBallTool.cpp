@@ -14,8 +14,6 @@ namespace fenestra::viewer {
 namespace {
 
 /// Device-independent pixels that the mouse may move between press and release for a click.
-constexpr double clickSlack = 4.0;
-
 const QColor ringColour(242, 184, 77);
 
 }  // namespace

@@ -12,6 +12,9 @@ class QWheelEvent;
 
 namespace fenestra::viewer {
 
+/// Device-independent pixels that a click may move between press and release.
+inline constexpr double clickSlack = 4.0;
+
 class Tool {
  public:
   virtual ~Tool() = default;

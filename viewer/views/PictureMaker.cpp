@@ -17,7 +17,7 @@
 namespace fenestra::viewer {
 namespace {
 
-constexpr double sliceMilliseconds = 20.0;  ///< of drawing before the window handles events again
+constexpr double pictureSliceMilliseconds = 20.0;  ///< of drawing before the window handles events again
 
 }  // namespace
 
@@ -88,7 +88,7 @@ void PictureMaker::advance() {
         begin(view);
         renderer_->begin(view.shownScene(), view_);
       }
-      if (!renderer_->advance(sliceMilliseconds)) return;
+      if (!renderer_->advance(pictureSliceMilliseconds)) return;
       pixels = renderer_->readPicture();
       renderer_.reset();
     });

@@ -14,9 +14,9 @@ namespace fenestra::viewer {
 namespace {
 
 /// Time that one slice may block the window: a frame at 30 Hz (33 ms), less a margin for slices slower than the last.
-constexpr double sliceMilliseconds = 20.0;
+constexpr double placementSliceMilliseconds = 20.0;
 constexpr std::size_t mostPerSlice = 256;
-constexpr int turnMilliseconds = 4;  ///< before a slice asks for the context again
+constexpr int contextMilliseconds = 4;  ///< before a slice asks for the context again
 
 }  // namespace
 
@@ -59,7 +59,7 @@ void PlacementRenderer::start() {
 bool PlacementRenderer::advance() {
   ScenePreparation& preparation = view_.preparation();
   if (preparation.isBusy()) {
-    preparation.glContext().waitFor(turnMilliseconds);
+    preparation.glContext().waitFor(contextMilliseconds);
     return false;
   }
   if (waiting_) {
@@ -76,7 +76,7 @@ bool PlacementRenderer::advance() {
   run([&](const std::shared_ptr<GpuScene>& gpu) { done = placer_->advance(*gpu, perSlice_); });
   // Sized for the speed of this slice, but at most doubled: the first slices also compile shaders.
   const double milliseconds = std::max(1e-3, static_cast<double>(clock.nsecsElapsed()) * 1e-6);
-  const double fitting = static_cast<double>(perSlice_) * std::min(2.0, sliceMilliseconds / milliseconds);
+  const double fitting = static_cast<double>(perSlice_) * std::min(2.0, placementSliceMilliseconds / milliseconds);
   perSlice_ = std::clamp(static_cast<std::size_t>(fitting), std::size_t{1}, mostPerSlice);
   return done;
 }

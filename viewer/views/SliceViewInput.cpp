@@ -11,14 +11,13 @@
 #include "viewer/model/StructureClick.h"
 #include "viewer/model/ViewOptions.h"
 #include "viewer/tools/Canvas.h"
+#include "viewer/tools/Tool.h"
 #include "viewer/views/SliceView.h"
 
 namespace fenestra::viewer {
 namespace {
 
 /// Device-independent pixels that the mouse may move between press and release for a click.
-constexpr double clickSlack = 4.0;
-
 }  // namespace
 
 void SliceView::mousePressEvent(QMouseEvent* event) {

@@ -17,6 +17,7 @@
 #include "viewer/model/StructureClick.h"
 #include "viewer/model/ViewLink.h"
 #include "viewer/model/ViewOptions.h"
+#include "viewer/tools/Tool.h"
 #include "viewer/views/FidelityChip.h"
 #include "viewer/views/RefinedPicture.h"
 #include "viewer/views/ScenePreparation.h"
@@ -25,7 +26,6 @@
 namespace fenestra::viewer {
 namespace {
 
-constexpr double clickSlack = 4.0;  ///< device-independent pixels between press and release of a click
 /// Delay before the picture is read under the mouse: a moving mouse reads nothing.
 constexpr int hoverMilliseconds = 40;
 constexpr double voxelsBehindSurface = 1.5;             ///< where a click without labels grows
