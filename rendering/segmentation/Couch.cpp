@@ -22,6 +22,7 @@ constexpr double openingRadius = 6.0, regrowth = 4.0;        // mm
 constexpr double leastPart = 1000.0;                         // mm³ of a part's core
 constexpr double leastMean = -150.0, greatestMean = 700.0;   // HU of a part
 constexpr double slabThickness = 30.0, slabLength = 200.0;   // mm
+constexpr double deepestSlab = 0.5 * slabThickness;          // mm from its surface to its middle
 constexpr double appendageReach = 40.0;                      // mm
 constexpr int shellCells = 2;
 
@@ -113,9 +114,19 @@ Cells cellsOf(const Volume& volume) {
   return cells;
 }
 
-/// mm from each cell's centre to that of the nearest cell of the set (infinite without any).
-std::vector<float> distanceTo(const Cells& cells, const Flags& set) {
-  return distancesTo(set, {.dims = cells.dims, .spacing = cells.spacing}, {.points = cells.dims});
+/// mm from each cell's centre to that of the nearest cell of the set; infinite where that is farther than `reach`.
+std::vector<float> distanceTo(const Cells& cells, const Flags& set, double reach) {
+  return distancesTo(set, {.dims = cells.dims, .spacing = cells.spacing}, {.points = cells.dims}, reach);
+}
+
+/// The cells of which holds(i) is true.
+template <class Holds>
+Flags flagsWhere(const Cells& cells, const Holds& holds) {
+  Flags flags(cells.count());
+  parallelFor(flags.size(), 1 << 16, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) flags[i] = holds(i);
+  });
+  return flags;
 }
 
 /// Calls take(cells of the part) for each 26-connected part of `set`, in memory order of their first cells. Clears
@@ -123,26 +134,45 @@ std::vector<float> distanceTo(const Cells& cells, const Flags& set) {
 template <class Take>
 void forEachPart(const Cells& cells, Flags& set, Take&& take) {
   std::vector<std::uint32_t> part;
-  for (std::size_t first = 0; first < set.size(); ++first) {
-    if (!set[first]) continue;
-    part.assign(1, static_cast<std::uint32_t>(first));
-    set[first] = 0;
-    for (std::size_t next = 0; next < part.size(); ++next) {
-      const glm::ivec3 cell = cells.at(part[next]);
-      for (int n = 0; n < 27; ++n) {
-        const glm::ivec3 beside = cell + glm::ivec3(n % 3, n / 3 % 3, n / 9) - 1;
-        if (!cells.contains(beside)) continue;
-        const std::size_t at = cells.offset(beside);
-        if (!set[at]) continue;
-        set[at] = 0;
-        part.push_back(static_cast<std::uint32_t>(at));
-      }
+  struct Stretch {
+    int begin, end, y, z;  ///< cells [begin, end) of a row
+  };
+  std::vector<Stretch> open;
+  // Adds the cells of [from, to) of a row to the part, with those before and behind that touch them.
+  const auto addRow = [&](int from, int to, int y, int z) {
+    if (y < 0 || z < 0 || y >= cells.dims.y || z >= cells.dims.z) return;
+    const std::size_t row = cells.offset({0, y, z});
+    std::uint8_t* held = set.data() + row;
+    from = std::max(from, 0);
+    to = std::min(to, cells.dims.x);
+    for (int x = from; x < to; ++x) {
+      if (!held[x]) continue;
+      int begin = x, end = x;
+      while (begin > 0 && held[begin - 1]) --begin;
+      for (; end < cells.dims.x && held[end]; ++end) held[end] = 0;
+      std::fill(held + begin, held + x, std::uint8_t{0});
+      for (int i = begin; i < end; ++i) part.push_back(static_cast<std::uint32_t>(row) + static_cast<std::uint32_t>(i));
+      open.push_back({begin, end, y, z});
+      x = end;
+    }
+  };
+  for (auto first = set.begin();; ++first) {
+    first = std::find_if(first, set.end(), [](std::uint8_t held) { return held != 0; });
+    if (first == set.end()) return;
+    part.clear();
+    const glm::ivec3 seed = cells.at(static_cast<std::size_t>(first - set.begin()));
+    addRow(seed.x, seed.x + 1, seed.y, seed.z);
+    while (!open.empty()) {
+      const Stretch next = open.back();
+      open.pop_back();
+      for (int n = 0; n < 9; ++n) addRow(next.begin - 1, next.end + 1, next.y + n % 3 - 1, next.z + n / 3 - 1);
     }
     take(std::as_const(part));
   }
 }
 
-/// Whether an opened part belongs to the body; `depth`: mm to the nearest cell that is not solid.
+/// Whether an opened part belongs to the body; `depth`: mm to the nearest cell that is not solid, or infinite beyond
+/// that of a slab.
 bool isOfBody(const Cells& cells, const std::vector<std::uint32_t>& part, const std::vector<float>& depth) {
   if (static_cast<double>(part.size()) * cells.cellVolume() < leastPart) return false;
   double sum = 0.0, deepest = 0.0;
@@ -154,26 +184,23 @@ bool isOfBody(const Cells& cells, const std::vector<std::uint32_t>& part, const 
     high = glm::max(high, cells.at(i));
   }
   const double mean = sum / static_cast<double>(part.size());
-  const bool isSlab =
-      2.0 * deepest <= slabThickness && glm::length(glm::dvec3(high - low + 1) * cells.spacing) > slabLength;
+  const bool isSlab = deepest <= deepestSlab && glm::length(glm::dvec3(high - low + 1) * cells.spacing) > slabLength;
   return mean >= leastMean && mean <= greatestMean && !isSlab;
 }
 
 /// What is matter and not farther from the opened body than it was opened by.
 Flags bodyOf(const Cells& cells) {
-  Flags outside(cells.count()), cores(cells.count());
-  for (std::size_t i = 0; i < outside.size(); ++i) outside[i] = cells.mean[i] <= solidValue;
-  std::vector<float> depth = distanceTo(cells, outside);
-  for (std::size_t i = 0; i < cores.size(); ++i) cores[i] = depth[i] > openingRadius;
+  std::vector<float> depth =
+      distanceTo(cells, flagsWhere(cells, [&](std::size_t i) { return cells.mean[i] <= solidValue; }), deepestSlab);
+  Flags cores = flagsWhere(cells, [&](std::size_t i) { return depth[i] > openingRadius; });
   Flags body(cells.count(), 0);
   forEachPart(cells, cores, [&](const std::vector<std::uint32_t>& part) {
     if (!isOfBody(cells, part, depth)) return;
     for (const std::uint32_t i : part) body[i] = 1;
   });
-  depth = distanceTo(cells, body);
-  for (std::size_t i = 0; i < body.size(); ++i)
-    body[i] = depth[i] <= openingRadius + regrowth && cells.greatest[i] > matterValue;
-  return body;
+  depth = distanceTo(cells, body, openingRadius + regrowth);
+  return flagsWhere(
+      cells, [&](std::size_t i) { return depth[i] <= openingRadius + regrowth && cells.greatest[i] > matterValue; });
 }
 
 /// The cells that the air around the body reaches in their axial plane, the planes across `axis`: from the volume's
@@ -222,10 +249,10 @@ int axialAxis(const Grid& grid) {
 
 /// The parts outside the body that are none of its appendages.
 Flags partsToHide(const Cells& cells, const Flags& body, const Flags& exterior) {
-  const std::vector<float> away = distanceTo(cells, body);
   const double touching = 1.01 * glm::length(cells.spacing);  // a cell that shares a corner
-  Flags rest(body.size()), hidden(body.size(), 0);
-  for (std::size_t i = 0; i < rest.size(); ++i) rest[i] = !body[i] && cells.greatest[i] > matterValue;
+  const std::vector<float> away = distanceTo(cells, body, std::max(touching, appendageReach));
+  Flags rest = flagsWhere(cells, [&](std::size_t i) { return !body[i] && cells.greatest[i] > matterValue; });
+  Flags hidden(body.size(), 0);
   forEachPart(cells, rest, [&](const std::vector<std::uint32_t>& part) {
     float nearest = std::numeric_limits<float>::infinity(), farthest = 0.0f;
     bool isOutside = false;
@@ -272,8 +299,8 @@ CoarseMask findTable(const Volume& volume) {
   const Flags exterior = exteriorOf(cells, body, axialAxis(volume.grid));
   Flags hidden = partsToHide(cells, body, exterior);
   // These stay: the body, and matter that is not hidden.
-  Flags kept(hidden.size());
-  for (std::size_t i = 0; i < kept.size(); ++i) kept[i] = body[i] || (cells.greatest[i] > matterValue && !hidden[i]);
+  const Flags kept =
+      flagsWhere(cells, [&](std::size_t i) { return body[i] || (cells.greatest[i] > matterValue && !hidden[i]); });
   addShell(cells, kept, hidden);
   mask.stride = cells.stride;
   mask.dims = cells.dims;
