@@ -202,8 +202,7 @@ void GpuScene::updateVolume(ShownVolume shown) {
     voxelBricks_ = brickRanges(shown);
     voxelBricks_.octants = std::vector<OctantRanges>();  // rays leap by those of the drawn grid
   } else {
-    volumeTexture_ = makeVolumeTexture(shown);
-    bricks_ = brickRanges(shown);
+    together([&] { volumeTexture_ = makeVolumeTexture(shown); }, [&] { bricks_ = brickRanges(shown); });
     voxelBricks_ = {};
   }
   shown_ = std::move(shown);

@@ -94,8 +94,8 @@ class GpuScene {
 
   const Grid& grid() const { return shown_.volume->grid; }  ///< of the voxels that are drawn
   /// Cells of the drawn grid along the side of a voxel. With a spline the device holds samples on a finer grid (see
-  /// RefinedVolume.h), on which bricks, skips and gradients lie, too; otherwise this is 1. The focus always lies in cells
-  /// of grid().
+  /// RefinedVolume.h), on which bricks, skips and gradients lie, too; otherwise this is 1. The focus always lies in
+  /// cells of grid().
   int refinement() const { return refinement_; }
   Grid drawnGrid() const { return refinement_ > 1 ? refined(grid(), refinement_) : grid(); }
   /// A position in the cell frame of drawnGrid(), from that of grid().
