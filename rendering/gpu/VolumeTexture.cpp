@@ -238,16 +238,58 @@ glm::ivec3 reductionOf(const Grid& grid) {
 
 namespace {
 
-/// Calls use(coded) with the function from stored to coded scalars: in integers where that is the same.
-template <class T, class Use>
-void withCoded(const Volume& volume, double base, const Use& use) {
-  if constexpr (std::is_integral_v<T> && sizeof(T) <= 2)
-    if (base == std::round(base))
-      return use([shift = static_cast<int>(base)](T scalar) { return static_cast<float>(int{scalar} - shift); });
-  use([&, sanitize = Sanitizer<T>(volume)](T scalar) {
-    return static_cast<float>(static_cast<double>(sanitize(scalar)) - base);
-  });
-}
+/// Joins rows of coded voxels by taps along y, where the coded values are small integers.
+template <class T>
+class JoinedIntegers {
+ public:
+  JoinedIntegers(std::size_t width, int base) : base_(base), joined_(width) {}
+
+  /// Whether sums of eight coded values fit.
+  static bool fits(double base, double greatestCoded) {
+    return base == std::round(base) && 8.0 * greatestCoded <= 65535.0;
+  }
+
+  /// Adds `weight` times the rows, joined, to the column. `rowAt(i)`: the row of the tap i.
+  template <class RowAt>
+  void add(const std::vector<Tap>& taps, float weight, const RowAt& rowAt, float* column) {
+    const std::size_t width = joined_.size();
+    std::fill(joined_.begin(), joined_.end(), std::uint16_t{0});
+    for (std::size_t i = 0; i < taps.size(); ++i) {
+      const T* row = rowAt(i);
+      const int times = static_cast<int>(8.0f * taps[i].weight), shift = base_ * times;
+      for (std::size_t x = 0; x < width; ++x)
+        joined_[x] = static_cast<std::uint16_t>(joined_[x] + times * row[x] - shift);
+    }
+    for (std::size_t x = 0; x < width; ++x) column[x] += 0.125f * weight * static_cast<float>(joined_[x]);
+  }
+
+ private:
+  int base_;
+  std::vector<std::uint16_t> joined_;  ///< eighths
+};
+
+/// Joins rows of any coded voxels by taps along y.
+template <class T>
+class JoinedNumbers {
+ public:
+  JoinedNumbers(const Volume& volume, double base)
+      : width_(static_cast<std::size_t>(volume.grid.dims.x)), base_(base), sanitize_(volume) {}
+
+  template <class RowAt>
+  void add(const std::vector<Tap>& taps, float weight, const RowAt& rowAt, float* column) {
+    for (std::size_t i = 0; i < taps.size(); ++i) {
+      const T* row = rowAt(i);
+      const float by = weight * taps[i].weight;
+      for (std::size_t x = 0; x < width_; ++x)
+        column[x] += by * static_cast<float>(static_cast<double>(sanitize_(row[x])) - base_);
+    }
+  }
+
+ private:
+  std::size_t width_;
+  double base_;
+  Sanitizer<T> sanitize_;
+};
 
 }  // namespace
 
@@ -271,41 +313,47 @@ DerivativeVolume makeDerivativeVolume(const ShownVolume& shown) {
   const std::vector<Tap> tx = tapsOf(result.factor.x), ty = tapsOf(result.factor.y), tz = tapsOf(result.factor.z);
   constexpr std::size_t reach = 2;  // of the taps, so that the column is repeated beyond its ends
   const auto width = static_cast<std::size_t>(grid.dims.x), texels = static_cast<std::size_t>(dims.x);
-  volume.voxels.visit([&](auto scalars) {
-    using T = typename decltype(scalars)::value_type;
-    withCoded<T>(volume, base, [&](const auto& codedOf) {
-      const auto plane = [&](int z, auto* out) {
-        std::vector<float> padded(width + 2 * reach);
-        float* column = padded.data() + reach;
-        std::vector<T> buffer;
-        for (int y = 0; y < dims.y; ++y, out += texels) {
-          std::fill_n(column, width, 0.0f);
-          for (const Tap& a : tz)
-            for (const Tap& b : ty) {
-              const T* row = voxels.row(std::clamp(y * result.factor.y + b.offset, 0, grid.dims.y - 1),
-                                        std::clamp(z * result.factor.z + a.offset, 0, grid.dims.z - 1), buffer);
-              const float weight = a.weight * b.weight;
-              for (std::size_t x = 0; x < width; ++x) column[x] += weight * codedOf(row[x]);
-            }
-          std::fill_n(padded.data(), reach, column[0]);
-          std::fill_n(column + width, reach, column[width - 1]);
-          for (std::size_t x = 0; x < texels; ++x) {
-            const float* from = column + x * static_cast<std::size_t>(result.factor.x);
-            float sum = 0.0f;
-            for (const Tap& c : tx) sum += c.weight * from[c.offset];
-            using Texel = std::remove_reference_t<decltype(out[0])>;
-            if constexpr (std::is_same_v<Texel, float>)
-              out[x] = sum;
-            else
-              out[x] = static_cast<Texel>(std::clamp(sum * stretch + 0.5f, 0.0f, 65535.0f));
-          }
+  const auto smooth = [&]<class T>(T, const auto& newJoined) {
+    const auto plane = [&](int z, auto* out) {
+      std::vector<float> padded(width + 2 * reach);
+      float* column = padded.data() + reach;
+      auto joined = newJoined();
+      std::vector<T> buffer;
+      for (int y = 0; y < dims.y; ++y, out += texels) {
+        std::fill_n(column, width, 0.0f);
+        for (const Tap& a : tz)
+          joined.add(
+              ty, a.weight,
+              [&](std::size_t i) {
+                return voxels.row(std::clamp(y * result.factor.y + ty[i].offset, 0, grid.dims.y - 1),
+                                  std::clamp(z * result.factor.z + a.offset, 0, grid.dims.z - 1), buffer);
+              },
+              column);
+        std::fill_n(padded.data(), reach, column[0]);
+        std::fill_n(column + width, reach, column[width - 1]);
+        for (std::size_t x = 0; x < texels; ++x) {
+          const float* from = column + x * static_cast<std::size_t>(result.factor.x);
+          float sum = 0.0f;
+          for (const Tap& c : tx) sum += c.weight * from[c.offset];
+          using Texel = std::remove_reference_t<decltype(out[0])>;
+          if constexpr (std::is_same_v<Texel, float>)
+            out[x] = sum;
+          else
+            out[x] = static_cast<Texel>(std::clamp(sum * stretch + 0.5f, 0.0f, 65535.0f));
         }
-      };
-      if (wide)
-        uploadBySlabs<float>(result.texture, planeSize(dims), plane);
-      else
-        uploadBySlabs<std::uint16_t>(result.texture, planeSize(dims), plane);
-    });
+      }
+    };
+    if (wide)
+      uploadBySlabs<float>(result.texture, planeSize(dims), plane);
+    else
+      uploadBySlabs<std::uint16_t>(result.texture, planeSize(dims), plane);
+  };
+  volume.voxels.visit([&](auto scalars) {
+    using T = std::remove_const_t<typename decltype(scalars)::value_type>;
+    if constexpr (std::is_integral_v<T> && sizeof(T) <= 2)
+      if (JoinedIntegers<T>::fits(base, coded.high))
+        return smooth(T(), [&] { return JoinedIntegers<T>(width, static_cast<int>(base)); });
+    smooth(T(), [&] { return JoinedNumbers<T>(volume, base); });
   });
   return result;
 }

@@ -6,6 +6,7 @@
 #include <limits>
 #include <new>
 #include <span>
+#include <type_traits>
 #include <utility>
 
 #include "rendering/volume/DistanceTransform.h"
@@ -72,43 +73,111 @@ Cells layOut(const Grid& grid) {
   return cells;
 }
 
-/// Means and greatest values; what is no number counts as air.
-Cells cellsOf(const Volume& volume) {
+constexpr double leastSeen = -3000.0, greatestSeen = 30000.0;  // HU
+
+/// Sums and greatest values of rows of voxels, by voxel; what is no number counts as air.
+template <class T>
+class RowSums {
+ public:
+  explicit RowSums(const Volume& volume)
+      : volume_(volume),
+        sums_(static_cast<std::size_t>(volume.grid.dims.x)),
+        peaks_(static_cast<std::size_t>(volume.grid.dims.x)) {}
+
+  void clear() {
+    std::fill(sums_.begin(), sums_.end(), 0.0);
+    std::fill(peaks_.begin(), peaks_.end(), airValue);
+  }
+  void add(const T* row) {
+    for (std::size_t i = 0; i < sums_.size(); ++i) {
+      double value = volume_.slope * static_cast<double>(row[i]) + volume_.intercept;
+      if constexpr (std::is_floating_point_v<T>) value = std::isnan(value) ? airValue : value;
+      value = std::clamp(value, leastSeen, greatestSeen);
+      sums_[i] += value;
+      peaks_[i] = std::max(peaks_[i], value);
+    }
+  }
+  double sum(std::size_t i) const { return sums_[i]; }
+  double peak(std::size_t i) const { return peaks_[i]; }
+
+ private:
+  const Volume& volume_;
+  std::vector<double> sums_, peaks_;
+};
+
+/// RowSums of scalars of at most 16 bits whose values are whole numbers of HU.
+template <class T>
+class WholeRowSums {
+ public:
+  explicit WholeRowSums(const Volume& volume)
+      : intercept_(static_cast<int>(volume.intercept)),
+        sums_(static_cast<std::size_t>(volume.grid.dims.x)),
+        peaks_(static_cast<std::size_t>(volume.grid.dims.x)) {}
+
+  /// Whether sums of so many rows are exact.
+  static bool fits(const Volume& volume, int rows) {
+    return volume.slope == 1.0 && volume.intercept == std::round(volume.intercept) &&
+           std::abs(volume.intercept) <= 65536.0 && rows <= 1024 && volume.range.low >= leastSeen &&
+           volume.range.high <= greatestSeen;
+  }
+  void clear() {
+    rows_ = 0;
+    std::fill(sums_.begin(), sums_.end(), 0);
+    std::fill(peaks_.begin(), peaks_.end(), std::numeric_limits<T>::lowest());
+  }
+  void add(const T* row) {
+    ++rows_;
+    for (std::size_t i = 0; i < sums_.size(); ++i) {
+      sums_[i] += static_cast<std::int32_t>(row[i]);
+      peaks_[i] = std::max(peaks_[i], row[i]);
+    }
+  }
+  double sum(std::size_t i) const { return sums_[i] + rows_ * intercept_; }
+  double peak(std::size_t i) const { return std::max(airValue, static_cast<double>(peaks_[i]) + intercept_); }
+
+ private:
+  int intercept_, rows_ = 0;
+  std::vector<std::int32_t> sums_;
+  std::vector<T> peaks_;
+};
+
+/// Fills the rows [begin, end) of cells along z.
+template <class T, class Sums>
+void fillCells(const Volume& volume, std::size_t begin, std::size_t end, Sums sums, Cells& cells) {
   const Grid& grid = volume.grid;
-  Cells cells = layOut(grid);
-  const auto across = static_cast<std::size_t>(grid.dims.x);
-  volume.voxels.visit([&](auto scalars) {
-    parallelFor(static_cast<std::size_t>(cells.dims.z), 1, [&](std::size_t begin, std::size_t end) {
-      // A row of cells: its voxel rows are joined first, which vectorizes.
-      std::vector<double> sums(across), peaks(across);
-      for (int z = static_cast<int>(begin); z < static_cast<int>(end); ++z)
-        for (int y = 0; y < cells.dims.y; ++y) {
-          const glm::ivec3 low = glm::ivec3(0, y, z) * cells.stride, high = glm::min(low + cells.stride, grid.dims);
-          std::fill(sums.begin(), sums.end(), 0.0);
-          std::fill(peaks.begin(), peaks.end(), airValue);
-          for (int k = low.z; k < high.z; ++k)
-            for (int j = low.y; j < high.y; ++j) {
-              const auto* row = scalars.data() + grid.offset({0, j, k});
-              for (std::size_t i = 0; i < across; ++i) {
-                double value = volume.slope * static_cast<double>(row[i]) + volume.intercept;
-                value = std::isnan(value) ? airValue : std::clamp(value, -3000.0, 30000.0);
-                sums[i] += value;
-                peaks[i] = std::max(peaks[i], value);
-              }
-            }
-          const std::size_t first = cells.offset({0, y, z});
-          for (int x = 0; x < cells.dims.x; ++x) {
-            const int from = x * cells.stride.x, to = std::min(from + cells.stride.x, grid.dims.x);
-            double sum = 0.0, greatest = airValue;
-            for (auto i = static_cast<std::size_t>(from); i < static_cast<std::size_t>(to); ++i) {
-              sum += sums[i];
-              greatest = std::max(greatest, peaks[i]);
-            }
-            const double joined = static_cast<double>(to - from) * (high.y - low.y) * (high.z - low.z);
-            cells.mean[first + static_cast<std::size_t>(x)] = static_cast<std::int16_t>(sum / joined);
-            cells.greatest[first + static_cast<std::size_t>(x)] = static_cast<std::int16_t>(greatest);
-          }
+  const T* scalars = volume.voxels.template as<T>().data();
+  for (int z = static_cast<int>(begin); z < static_cast<int>(end); ++z)
+    for (int y = 0; y < cells.dims.y; ++y) {
+      const glm::ivec3 low = glm::ivec3(0, y, z) * cells.stride, high = glm::min(low + cells.stride, grid.dims);
+      // The rows of voxels are joined first, which vectorizes.
+      sums.clear();
+      for (int k = low.z; k < high.z; ++k)
+        for (int j = low.y; j < high.y; ++j) sums.add(scalars + grid.offset({0, j, k}));
+      const std::size_t first = cells.offset({0, y, z});
+      for (int x = 0; x < cells.dims.x; ++x) {
+        const int from = x * cells.stride.x, to = std::min(from + cells.stride.x, grid.dims.x);
+        double sum = 0.0, greatest = airValue;
+        for (auto i = static_cast<std::size_t>(from); i < static_cast<std::size_t>(to); ++i) {
+          sum += sums.sum(i);
+          greatest = std::max(greatest, sums.peak(i));
         }
+        const double joined = static_cast<double>(to - from) * (high.y - low.y) * (high.z - low.z);
+        cells.mean[first + static_cast<std::size_t>(x)] = static_cast<std::int16_t>(sum / joined);
+        cells.greatest[first + static_cast<std::size_t>(x)] = static_cast<std::int16_t>(greatest);
+      }
+    }
+}
+
+/// Means and greatest values.
+Cells cellsOf(const Volume& volume) {
+  Cells cells = layOut(volume.grid);
+  volume.voxels.visit([&](auto scalars) {
+    using T = std::remove_const_t<typename decltype(scalars)::value_type>;
+    parallelFor(static_cast<std::size_t>(cells.dims.z), 1, [&](std::size_t begin, std::size_t end) {
+      if constexpr (std::is_integral_v<T> && sizeof(T) <= 2)
+        if (WholeRowSums<T>::fits(volume, cells.stride.y * cells.stride.z))
+          return fillCells<T>(volume, begin, end, WholeRowSums<T>(volume), cells);
+      fillCells<T>(volume, begin, end, RowSums<T>(volume), cells);
     });
   });
   return cells;
@@ -207,32 +276,45 @@ Flags bodyOf(const Cells& cells) {
 /// faces through air and matter outside of the body. It does not pass tissue of the lung, which a scan may cut open.
 Flags exteriorOf(const Cells& cells, const Flags& body, int axis) {
   const int u = (axis + 1) % 3, v = (axis + 2) % 3;
+  const std::array<std::size_t, 3> steps{
+      1, static_cast<std::size_t>(cells.dims.x),
+      static_cast<std::size_t>(cells.dims.x) * static_cast<std::size_t>(cells.dims.y)};
+  const std::size_t along = steps[static_cast<std::size_t>(u)], across = steps[static_cast<std::size_t>(v)];
   Flags exterior(body.size(), 0);
   parallelFor(static_cast<std::size_t>(cells.dims[axis]), 1, [&](std::size_t begin, std::size_t end) {
-    std::vector<glm::ivec3> open;
-    for (int plane = static_cast<int>(begin); plane < static_cast<int>(end); ++plane) {
-      const auto enter = [&](int a, int b, bool isSeed) {
-        if (a < 0 || b < 0 || a >= cells.dims[u] || b >= cells.dims[v]) return;
-        glm::ivec3 cell;
-        cell[axis] = plane;
-        cell[u] = a;
-        cell[v] = b;
-        const std::size_t at = cells.offset(cell);
-        const bool isAir = cells.mean[at] <= airyValue;
-        if (body[at] || exterior[at] || !(isAir || (!isSeed && cells.greatest[at] > matterValue))) return;
-        exterior[at] = 1;
-        open.push_back(cell);
+    std::vector<glm::ivec2> open;  // a cell of a stretch along u that the air reaches
+    for (std::size_t plane = begin; plane < end; ++plane) {
+      const auto offset = [&](int a, int b) {
+        return plane * steps[static_cast<std::size_t>(axis)] + static_cast<std::size_t>(a) * along +
+               static_cast<std::size_t>(b) * across;
+      };
+      const auto isAir = [&](std::size_t at) { return !body[at] && cells.mean[at] <= airyValue; };
+      const auto lets = [&](std::size_t at) {
+        return !exterior[at] && (isAir(at) || (!body[at] && cells.greatest[at] > matterValue));
+      };
+      const auto seed = [&](int a, int b) {
+        if (isAir(offset(a, b))) open.emplace_back(a, b);
       };
       for (int a = 0; a < cells.dims[u]; ++a)
-        for (const int b : {0, cells.dims[v] - 1}) enter(a, b, true);
+        for (const int b : {0, cells.dims[v] - 1}) seed(a, b);
       for (int b = 0; b < cells.dims[v]; ++b)
-        for (const int a : {0, cells.dims[u] - 1}) enter(a, b, true);
+        for (const int a : {0, cells.dims[u] - 1}) seed(a, b);
       while (!open.empty()) {
-        const glm::ivec3 cell = open.back();
+        const glm::ivec2 cell = open.back();
         open.pop_back();
-        for (const int step : {-1, 1}) {
-          enter(cell[u] + step, cell[v], false);
-          enter(cell[u], cell[v] + step, false);
+        if (!lets(offset(cell.x, cell.y))) continue;
+        int first = cell.x, last = cell.x;
+        while (first > 0 && lets(offset(first - 1, cell.y))) --first;
+        while (last + 1 < cells.dims[u] && lets(offset(last + 1, cell.y))) ++last;
+        for (int a = first; a <= last; ++a) exterior[offset(a, cell.y)] = 1;
+        for (const int b : {cell.y - 1, cell.y + 1}) {
+          if (b < 0 || b >= cells.dims[v]) continue;
+          bool isBefore = false;
+          for (int a = first; a <= last; ++a) {
+            const bool is = lets(offset(a, b));
+            if (is && !isBefore) open.emplace_back(a, b);
+            isBefore = is;
+          }
         }
       }
     }
