@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
+#include <utility>
 #include <vector>
 
 #include "rendering/gl/Context.h"
@@ -238,58 +240,105 @@ glm::ivec3 reductionOf(const Grid& grid) {
 
 namespace {
 
-/// Joins rows of coded voxels by taps along y, where the coded values are small integers.
+/// Taps along y and z around a texel, and the voxels that they read.
+struct Taps {
+  std::vector<Tap> y, z;
+  glm::ivec3 factor, last;
+
+  int yOf(int texel, const Tap& tap) const { return std::clamp(texel * factor.y + tap.offset, 0, last.y); }
+  int zOf(int texel, const Tap& tap) const { return std::clamp(texel * factor.z + tap.offset, 0, last.z); }
+};
+
+/// Rows of coded voxels joined by taps along y and z, where the coded values are small integers. To be asked for texels
+/// with ascending y: rows joined along z serve for the next ones, too.
 template <class T>
 class JoinedIntegers {
  public:
-  JoinedIntegers(std::size_t width, int base) : base_(base), joined_(width) {}
+  JoinedIntegers(const ShownVoxels& voxels, const Taps& taps, double base)
+      : voxels_(voxels), taps_(taps), base_(static_cast<int>(base)) {
+    for (Row& row : rows_) row.eighths.resize(static_cast<std::size_t>(voxels.volume().grid.dims.x));
+  }
 
   /// Whether sums of eight coded values fit.
   static bool fits(double base, double greatestCoded) {
     return base == std::round(base) && 8.0 * greatestCoded <= 65535.0;
   }
 
-  /// Adds `weight` times the rows, joined, to the column. `rowAt(i)`: the row of the tap i.
-  template <class RowAt>
-  void add(const std::vector<Tap>& taps, float weight, const RowAt& rowAt, float* column) {
-    const std::size_t width = joined_.size();
-    std::fill(joined_.begin(), joined_.end(), std::uint16_t{0});
-    for (std::size_t i = 0; i < taps.size(); ++i) {
-      const T* row = rowAt(i);
-      const int times = static_cast<int>(8.0f * taps[i].weight), shift = base_ * times;
-      for (std::size_t x = 0; x < width; ++x)
-        joined_[x] = static_cast<std::uint16_t>(joined_[x] + times * row[x] - shift);
+  void fill(int y, int z, std::span<float> column) {
+    std::fill(column.begin(), column.end(), 0.0f);
+    for (const Tap& tap : taps_.y) {
+      const std::uint16_t* eighths = joined(taps_.yOf(y, tap), z);
+      const float weight = 0.125f * tap.weight;
+      for (std::size_t x = 0; x < column.size(); ++x) column[x] += weight * static_cast<float>(eighths[x]);
     }
-    for (std::size_t x = 0; x < width; ++x) column[x] += 0.125f * weight * static_cast<float>(joined_[x]);
   }
 
  private:
+  struct Row {
+    glm::ivec2 at{-1};  ///< voxel along y, texel along z
+    std::vector<std::uint16_t> eighths;
+  };
+
+  const std::uint16_t* joined(int y, int z) {
+    Row& row = rows_[static_cast<std::size_t>(y) % rows_.size()];
+    std::uint16_t* to = row.eighths.data();
+    if (std::exchange(row.at, glm::ivec2(y, z)) == glm::ivec2(y, z)) return to;
+    std::fill(row.eighths.begin(), row.eighths.end(), std::uint16_t{0});
+    for (const Tap& tap : taps_.z) {
+      const T* from = voxels_.row(y, taps_.zOf(z, tap), buffer_);
+      const auto times = static_cast<std::uint16_t>(8.0f * tap.weight);
+      const auto shift = static_cast<std::uint16_t>(base_ * times);
+      for (std::size_t x = 0; x < row.eighths.size(); ++x)
+        to[x] = static_cast<std::uint16_t>(to[x] + times * static_cast<std::uint16_t>(from[x]) - shift);
+    }
+    return to;
+  }
+
+  const ShownVoxels& voxels_;
+  const Taps& taps_;
   int base_;
-  std::vector<std::uint16_t> joined_;  ///< eighths
+  std::array<Row, 4> rows_;  ///< as many as taps
+  std::vector<T> buffer_;
 };
 
-/// Joins rows of any coded voxels by taps along y.
+/// Rows of any coded voxels joined by taps along y and z.
 template <class T>
 class JoinedNumbers {
  public:
-  JoinedNumbers(const Volume& volume, double base)
-      : width_(static_cast<std::size_t>(volume.grid.dims.x)), base_(base), sanitize_(volume) {}
+  JoinedNumbers(const ShownVoxels& voxels, const Taps& taps, double base)
+      : voxels_(voxels), taps_(taps), base_(base), sanitize_(voxels.volume()) {}
 
-  template <class RowAt>
-  void add(const std::vector<Tap>& taps, float weight, const RowAt& rowAt, float* column) {
-    for (std::size_t i = 0; i < taps.size(); ++i) {
-      const T* row = rowAt(i);
-      const float by = weight * taps[i].weight;
-      for (std::size_t x = 0; x < width_; ++x)
-        column[x] += by * static_cast<float>(static_cast<double>(sanitize_(row[x])) - base_);
-    }
+  void fill(int y, int z, std::span<float> column) {
+    std::fill(column.begin(), column.end(), 0.0f);
+    for (const Tap& a : taps_.z)
+      for (const Tap& b : taps_.y) {
+        const T* row = voxels_.row(taps_.yOf(y, b), taps_.zOf(z, a), buffer_);
+        const float weight = a.weight * b.weight;
+        for (std::size_t x = 0; x < column.size(); ++x)
+          column[x] += weight * static_cast<float>(static_cast<double>(sanitize_(row[x])) - base_);
+      }
   }
 
  private:
-  std::size_t width_;
+  const ShownVoxels& voxels_;
+  const Taps& taps_;
   double base_;
   Sanitizer<T> sanitize_;
+  std::vector<T> buffer_;
 };
+
+/// Every texel of a row by taps along x. `column` may be read beyond its ends as far as the taps reach.
+template <class Use>
+void joinAlongX(const float* column, int factor, std::size_t texels, const Use& use) {
+  if (factor == 1) {
+    for (std::size_t x = 0; x < texels; ++x) use(x, column[x]);
+    return;
+  }
+  for (std::size_t x = 0; x < texels; ++x) {
+    const float* from = column + 2 * x;
+    use(x, 0.125f * from[-1] + 0.375f * from[0] + 0.375f * from[1] + 0.125f * from[2]);
+  }
+}
 
 }  // namespace
 
@@ -310,37 +359,25 @@ DerivativeVolume makeDerivativeVolume(const ShownVolume& shown) {
   const float stretch = static_cast<float>(65535.0 / std::max(coded.high, 1.0));
   result.texelScale = (wide ? 1.0f : 65535.0f / stretch) * coding.slope;
   const double base = (coding.offset - volume.intercept) / volume.slope;
-  const std::vector<Tap> tx = tapsOf(result.factor.x), ty = tapsOf(result.factor.y), tz = tapsOf(result.factor.z);
-  constexpr std::size_t reach = 2;  // of the taps, so that the column is repeated beyond its ends
+  const Taps taps{tapsOf(result.factor.y), tapsOf(result.factor.z), result.factor, grid.dims - 1};
+  constexpr std::size_t reach = 2;  // of the taps along x: the column is repeated beyond its ends
   const auto width = static_cast<std::size_t>(grid.dims.x), texels = static_cast<std::size_t>(dims.x);
-  const auto smooth = [&]<class T>(T, const auto& newJoined) {
+  const auto smooth = [&](const auto& newRows) {
     const auto plane = [&](int z, auto* out) {
       std::vector<float> padded(width + 2 * reach);
-      float* column = padded.data() + reach;
-      auto joined = newJoined();
-      std::vector<T> buffer;
+      const std::span<float> column = std::span(padded).subspan(reach, width);
+      auto rows = newRows();
       for (int y = 0; y < dims.y; ++y, out += texels) {
-        std::fill_n(column, width, 0.0f);
-        for (const Tap& a : tz)
-          joined.add(
-              ty, a.weight,
-              [&](std::size_t i) {
-                return voxels.row(std::clamp(y * result.factor.y + ty[i].offset, 0, grid.dims.y - 1),
-                                  std::clamp(z * result.factor.z + a.offset, 0, grid.dims.z - 1), buffer);
-              },
-              column);
-        std::fill_n(padded.data(), reach, column[0]);
-        std::fill_n(column + width, reach, column[width - 1]);
-        for (std::size_t x = 0; x < texels; ++x) {
-          const float* from = column + x * static_cast<std::size_t>(result.factor.x);
-          float sum = 0.0f;
-          for (const Tap& c : tx) sum += c.weight * from[c.offset];
-          using Texel = std::remove_reference_t<decltype(out[0])>;
+        rows.fill(y, z, column);
+        std::fill_n(padded.begin(), reach, column.front());
+        std::fill_n(padded.end() - reach, reach, column.back());
+        using Texel = std::remove_reference_t<decltype(out[0])>;
+        joinAlongX(column.data(), result.factor.x, texels, [&](std::size_t x, float sum) {
           if constexpr (std::is_same_v<Texel, float>)
             out[x] = sum;
           else
             out[x] = static_cast<Texel>(std::clamp(sum * stretch + 0.5f, 0.0f, 65535.0f));
-        }
+        });
       }
     };
     if (wide)
@@ -352,8 +389,8 @@ DerivativeVolume makeDerivativeVolume(const ShownVolume& shown) {
     using T = std::remove_const_t<typename decltype(scalars)::value_type>;
     if constexpr (std::is_integral_v<T> && sizeof(T) <= 2)
       if (JoinedIntegers<T>::fits(base, coded.high))
-        return smooth(T(), [&] { return JoinedIntegers<T>(width, static_cast<int>(base)); });
-    smooth(T(), [&] { return JoinedNumbers<T>(volume, base); });
+        return smooth([&] { return JoinedIntegers<T>(voxels, taps, base); });
+    smooth([&] { return JoinedNumbers<T>(voxels, taps, base); });
   });
   return result;
 }

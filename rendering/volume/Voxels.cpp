@@ -1,24 +1,8 @@
 #include "rendering/volume/Voxels.h"
 
-#include <sys/mman.h>
 #include <limits>
 
 namespace fenestra {
-namespace {
-
-/// Asks for large pages, which take less time to be handed out by the system and to be looked up. A wish: where there
-/// are none, nothing changes.
-void askForLargePages([[maybe_unused]] std::byte* bytes, [[maybe_unused]] std::size_t count) {
-#ifdef MADV_HUGEPAGE
-  constexpr std::size_t largePage = std::size_t{2} << 20, page = 4096;
-  if (count < 2 * largePage) return;
-  void* first = bytes;
-  std::size_t space = count;
-  if (std::align(page, largePage, first, space)) madvise(first, space / page * page, MADV_HUGEPAGE);
-#endif
-}
-
-}  // namespace
 
 VoxelAllocationError::VoxelAllocationError(std::size_t bytes)
     : text_(std::make_shared<const std::string>("no memory for voxels of " + std::to_string(bytes / 1000000) +
@@ -30,7 +14,6 @@ Voxels::Voxels(ScalarType type, std::size_t count) : type_(type), count_(count) 
     throw VoxelAllocationError(std::numeric_limits<std::ptrdiff_t>::max());
   try {
     bytes_ = std::make_unique_for_overwrite<std::byte[]>(count * size);
-    askForLargePages(bytes_.get(), count * size);
   } catch (const std::bad_alloc&) {
     throw VoxelAllocationError(count * size);
   }
