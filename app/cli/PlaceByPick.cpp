@@ -7,7 +7,6 @@
 #include "app/cli/Commands.h"
 #include "app/cli/Report.h"
 #include "io/study/ReadStudy.h"
-#include "rendering/scene/VisibleFraming.h"
 #include "rendering/segmentation/PickedStructure.h"
 #include "rendering/viewpoints/LiveSync.h"
 #include "rendering/viewpoints/Sphere.h"
@@ -43,7 +42,7 @@ Json structureJson(const PickedStructure& picked, const LocalShape& shape) {
 }  // namespace
 
 void placeByPick(const PlaceOptions& options) {
-  const io::Study study = io::readStudy(options.study, progressOnTerminal());
+  io::Study study = io::readStudy(options.study, progressOnTerminal());
   printWarnings(study.warnings);
   const Scene& scene = study.drawn.scene();
   const glm::dvec3 pick = *options.pick;
@@ -56,7 +55,7 @@ void placeByPick(const PlaceOptions& options) {
                                      options.liveSync, options.placement);
   const double time = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
 
-  const Framing framed = visibleFraming(shownVolume(scene), scene.look.context.shifted());
+  const Framing& framed = visibleOf(study);
   const auto cameraJson = [&](std::optional<std::size_t> index) -> Json {
     if (!index) return nullptr;
     Json json = viewJson(views, *index);

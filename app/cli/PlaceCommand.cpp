@@ -7,11 +7,9 @@
 #include "app/ScheduleChoice.h"
 #include "app/cli/Commands.h"
 #include "app/cli/QualityMap.h"
+#include "app/cli/ReadBesideContext.h"
 #include "app/cli/Report.h"
-#include "io/study/ReadStudy.h"
-#include "rendering/egl/EglContext.h"
 #include "rendering/gpu/GpuScene.h"
-#include "rendering/scene/VisibleFraming.h"
 
 namespace fenestra::cli {
 namespace {
@@ -87,14 +85,14 @@ void describe(const PlaceOptions& options, const io::Study& study, const std::sh
 
 void place(const PlaceOptions& options) {
   if (options.pick) return placeByPick(options);
-  const io::Study study = io::readStudy(options.study, progressOnTerminal());
+  std::optional<egl::EglContext> context;
+  io::Study study = readBesideContext(options.study, context);
   printWarnings(study.warnings);
   const Scene& scene = study.drawn.scene();
-  egl::EglContext context;
   const auto gpu = std::make_shared<GpuScene>();
   if (const auto known = app::knownSchedule(options.schedule, *scene.volume)) gpu->setSchedule(*known);
   const auto uploading = std::chrono::steady_clock::now();
-  gpu->update(scene);
+  gpu->update(scene, GpuScene::Use::FirstHits);
   const double uploadTime = millisecondsSince(uploading);
   printReduction(*gpu);
 
@@ -114,7 +112,7 @@ void place(const PlaceOptions& options) {
 
   if (!options.map.empty()) writeQualityMap(options.map, *measured, options.placement, placement);
   const Options& by = options.placement;
-  const Framing framed = visibleFraming(shownVolume(scene), scene.look.context.shifted());
+  const Framing& framed = visibleOf(study);
   const Projection projection = study.view->camera.projection;
   const auto standard = bestStandardPair(measured->candidates, measured->surfacePoints);
   Json json = {
@@ -135,7 +133,7 @@ void place(const PlaceOptions& options) {
       {"scan", scanJson(measured->scan)},
       {"surface", {{"mm2", measured->surfaceArea}, {"points", measured->surfacePoints}}},
       {"milliseconds", {{"upload", uploadTime}, {"measure", times}, {"choose", chooseTime}}},
-      {"gl", context.description()},
+      {"gl", context->description()},
   };
   if (options.everyCandidate) {
     json["all"] = Json::array();

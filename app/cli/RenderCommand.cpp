@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/ScheduleChoice.h"
+#include "app/cli/ReadBesideContext.h"
 #include "app/cli/Report.h"
 #include "io/ImageWriter.h"
 #include "io/base/AtomicFile.h"
@@ -24,7 +25,6 @@
 #include "rendering/gpu/GpuScene.h"
 #include "rendering/placement/Placer.h"
 #include "rendering/reference/Picture.h"
-#include "rendering/scene/VisibleFraming.h"
 
 namespace fenestra::cli {
 namespace {
@@ -144,15 +144,14 @@ Json statistics(const std::string& description, const View& view, const Renderer
 }
 
 /// The best view or its complement among the default candidates, in the projection that the view has.
-Camera placedCamera(const fs::path& source, const io::Study& study, GpuScene& gpuScene) {
+Camera placedCamera(const fs::path& source, io::Study& study, GpuScene& gpuScene) {
   const Scene& scene = study.drawn.scene();
   placement::Placer placer;
   const placement::Measured& measured = placer.measure(gpuScene, scene, {}, {});
   const placement::Placement placement = placement::choose(measured, {}, placement::jointByDefault);
   const std::optional<std::size_t> chosen = *study.placed == io::PlacedView::Best ? placement.c1 : placement.c2;
   if (!chosen) throw io::Error(source, placement.note, placementHint);
-  const Framing framed = visibleFraming(shownVolume(scene), scene.look.context.shifted());
-  return Camera::fromDirection(measured.candidates[*chosen].direction, framed, study.view->camera.projection);
+  return Camera::fromDirection(measured.candidates[*chosen].direction, visibleOf(study), study.view->camera.projection);
 }
 
 /// With the data's contents.
@@ -172,12 +171,13 @@ io::PngText prove(const RenderOptions& options, const Scene& scene, const View& 
 }  // namespace
 
 void render(const RenderOptions& options) {
-  io::Study study = io::readStudy(options.study, progressOnTerminal());
+  const bool isPlaced = options.study.camera && std::holds_alternative<io::PlacedView>(*options.study.camera);
+  std::optional<egl::EglContext> context;
+  io::Study study = isPlaced || !options.reference ? readBesideContext(options.study, context)
+                                                   : io::readStudy(options.study, progressOnTerminal());
   printWarnings(study.warnings);
   Scene scene = study.drawn.scene();
   View& view = *study.view;
-  std::optional<egl::EglContext> context;
-  if (study.placed || !options.reference) context.emplace();
   const auto gpuScene = context ? std::make_shared<GpuScene>() : nullptr;
   if (context) app::chooseSchedule(options.schedule, gpuScene, scene, view);
   if (study.placed) view.camera = placedCamera(options.study.source(), study, *gpuScene);

@@ -4,7 +4,6 @@
 #include "io/study/PhantomView.h"
 #include "io/study/Study.h"
 #include "io/study/StudyRequest.h"
-#include "rendering/scene/VisibleFraming.h"
 
 namespace fenestra::io {
 namespace {
@@ -12,13 +11,13 @@ namespace {
 namespace fs = std::filesystem;
 
 /// A camera that is not placed; with a size where a file names one.
-CameraFile cameraOf(const CameraChoice& choice, const StudyRequest& request, const Scene& scene) {
+CameraFile cameraOf(const CameraChoice& choice, const StudyRequest& request, Study& study) {
   if (const auto* file = std::get_if<fs::path>(&choice)) {
     CameraFile read = readCamera(*file);
     read.camera.projection = request.projection.value_or(read.camera.projection);
     return read;
   }
-  const Framing framing = visibleFraming(shownVolume(scene), scene.look.context.shifted());
+  const Framing& framing = visibleOf(study);
   const Projection projection = request.projection.value_or(Projection::Perspective);
   if (const auto* view = std::get_if<StandardView>(&choice))
     return {Camera::standard(*view, framing, projection), glm::ivec2(0)};
@@ -52,7 +51,7 @@ void setCamera(const StudyRequest& request, Study& study) {
     study.placed = *placed;
     choice = StandardView::Anterior;
   }
-  const CameraFile chosen = cameraOf(choice, request, study.drawn.scene());
+  const CameraFile chosen = cameraOf(choice, request, study);
   view.camera = chosen.camera;
   if (chosen.size.x > 0) view.size = chosen.size;
   view.size = request.size.value_or(view.size);
@@ -63,7 +62,7 @@ void setFrozen(const StudyRequest& request, Study& study) {
   View& view = *study.view;
   if (const SessionView* saved = sessionView(request, study)) view.frozen = saved->frozen;
   if (!request.frozen) return;
-  const CameraFile chosen = cameraOf(*request.frozen, request, study.drawn.scene());
+  const CameraFile chosen = cameraOf(*request.frozen, request, study);
   view.frozen = OpeningView{chosen.camera, chosen.size.x > 0 ? chosen.size : view.size, view.pixelScale};
 }
 

@@ -4,7 +4,15 @@
 #include <iterator>
 #include <utility>
 
+#include "rendering/scene/VisibleFraming.h"
+
 namespace fenestra::io {
+
+const Framing& visibleOf(Study& study) {
+  const Scene& scene = study.drawn.scene();
+  if (!study.visible) study.visible = visibleFraming(shownVolume(scene), scene.look.context.shifted());
+  return *study.visible;
+}
 
 void takeVolume(OpenedVolume opened, Study& study) {
   study.scene.volume = std::move(opened.volume);

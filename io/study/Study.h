@@ -35,9 +35,12 @@ struct Study : VolumeInfo {
   int viewIndex = 0;                 ///< which of the session's views that is: 0 is C1, 1 is C2
   std::optional<PlacedView> placed;  ///< view->camera has yet to be placed, which needs an OpenGL context
 
-  std::optional<Framing> visible;         ///< for windows: the part that `scene` shows, for a camera to frame
+  std::optional<Framing> visible;         ///< the part that `scene` shows, for a camera to frame; see visibleOf()
   std::optional<glm::dvec3> focusCentre;  ///< for windows: of `scene`, world mm; where the crosshair goes first
 };
+
+/// study.visible, found when it is first asked for: a look at all voxels.
+const Framing& visibleOf(Study& study);
 
 /// Puts into `study` what a reader gives; warnings go behind those that are there.
 void takeVolume(OpenedVolume opened, Study& study);

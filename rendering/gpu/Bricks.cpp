@@ -35,9 +35,8 @@ double valueAtStep(const ValueRange& brick, int step) {
   return step == 255 ? brick.high : brick.low + step * (brick.high - brick.low) / 255.0;
 }
 
-/// The nearest steps that have `range` between them.
+/// The nearest steps that have `range` between them, in a brick of more than one value.
 void setOctant(OctantRanges& octants, std::size_t octant, const ValueRange& range, const ValueRange& brick) {
-  if (!(brick.high > brick.low)) return;
   const double perStep = 255.0 / (brick.high - brick.low);
   int low = std::clamp(static_cast<int>((range.low - brick.low) * perStep), 0, 255);
   int high = std::clamp(static_cast<int>(std::ceil((range.high - brick.low) * perStep)), 0, 255);
@@ -64,37 +63,51 @@ class OctantLayer {
   /// `read`: scalars of a row of voxels, by y and z.
   template <class Read>
   void fill(int layer, glm::ivec3 voxels, Read read) {
-    std::fill(ends_.begin(), ends_.end(), Ends());
+    const auto width = static_cast<std::size_t>(voxels.x);
+    low_.resize(width);
+    high_.resize(width);
     for (int z = 0; z < 2; ++z) {
       const auto [zFirst, zLast] = voxelsOf(2 * layer + z, voxels.z);
       for (int y = 0; y < dims_.y; ++y) {
         const auto [yFirst, yLast] = voxelsOf(y, voxels.y);
-        Ends* octants = ends_.data() + brickOffset(dims_, {0, y, z});
+        // The rows are joined first, which vectorizes.
+        std::fill(low_.begin(), low_.end(), Ends().low);
+        std::fill(high_.begin(), high_.end(), Ends().high);
         for (int vz = zFirst; vz <= zLast; ++vz)
-          for (int vy = yFirst; vy <= yLast; ++vy) {
-            const T* row = read(vy, vz);
-            for (int x = 0; x < dims_.x; ++x) {
-              const auto [first, last] = voxelsOf(x, voxels.x);
-              for (int vx = first; vx <= last; ++vx) octants[x].take(row[vx]);
-            }
-          }
+          for (int vy = yFirst; vy <= yLast; ++vy) join(read(vy, vz), width);
+        Ends* octants = ends_.data() + brickOffset(dims_, {0, y, z});
+        for (int x = 0; x < dims_.x; ++x) {
+          const auto [first, last] = voxelsOf(x, voxels.x);
+          octants[x] = Ends();
+          for (int vx = first; vx <= last; ++vx)
+            octants[x].take(low_[static_cast<std::size_t>(vx)], high_[static_cast<std::size_t>(vx)]);
+        }
       }
     }
   }
 
   struct Ends {
     T low = std::numeric_limits<T>::max(), high = std::numeric_limits<T>::lowest();
-    void take(T scalar) {
-      low = std::min(low, scalar);
-      high = std::max(high, scalar);
+    void take(T least, T greatest) {
+      low = std::min(low, least);
+      high = std::max(high, greatest);
     }
     bool any() const { return low <= high; }
   };
   const Ends& octant(glm::ivec3 at) const { return ends_[brickOffset(dims_, at)]; }
 
  private:
+  void join(const T* row, std::size_t width) {
+    T *low = low_.data(), *high = high_.data();
+    for (std::size_t x = 0; x < width; ++x) {
+      low[x] = std::min(low[x], row[x]);
+      high[x] = std::max(high[x], row[x]);
+    }
+  }
+
   glm::ivec3 dims_;
   std::vector<Ends> ends_;
+  std::vector<T> low_, high_;  ///< of a row of octants, by voxel
 };
 
 }  // namespace
@@ -140,12 +153,10 @@ BrickRanges brickRanges(const ShownVolume& shown) {
               return layer.octant({2 * bx + (i & 1), 2 * by + (i >> 1 & 1), i >> 2});
             };
             typename OctantLayer<T>::Ends whole;
-            for (int i = 0; i < 8; ++i) {
-              whole.low = std::min(whole.low, octantAt(i).low);
-              whole.high = std::max(whole.high, octantAt(i).high);
-            }
+            for (int i = 0; i < 8; ++i) whole.take(octantAt(i).low, octantAt(i).high);
             const std::size_t brick = brickOffset(result.dims, {bx, by, bz});
             result.ranges[brick] = realOf(whole);
+            if (!(result.ranges[brick].high > result.ranges[brick].low)) continue;
             for (int i = 0; i < 8; ++i)
               if (octantAt(i).any())
                 setOctant(result.octants[brick], static_cast<std::size_t>(i), realOf(octantAt(i)),

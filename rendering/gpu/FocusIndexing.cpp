@@ -6,6 +6,9 @@
 #include <limits>
 #include <mutex>
 #include <numeric>
+#include <type_traits>
+#include <utility>
+#include <vector>
 
 #include "rendering/gpu/LabelIndex.h"
 #include "rendering/volume/Threads.h"
@@ -41,17 +44,78 @@ bool rowCanMeet(int y, int z, ValueRange values, const BrickRanges& bricks) {
 
 constexpr std::uint8_t below = 1, within = 2, above = 4, gone = 8;
 
-/// Classes of a row of voxels against `values`, or-ed into `classes`. NaN counts as the volume's least value, ±Inf as
-/// the ends of its range.
+/// Classes of stored scalars against a range of real values. NaN counts as the volume's least value, ±Inf as the ends
+/// of its range. Scalars of at most 16 bits are looked up.
 template <class T>
-void classifyRow(const T* row, const Volume& volume, ValueRange values, std::vector<std::uint8_t>& classes) {
-  for (std::size_t x = 0; x < classes.size(); ++x) {
-    double real = volume.slope * static_cast<double>(row[x]) + volume.intercept;
-    if constexpr (std::is_floating_point_v<T>)
-      real = std::isnan(real) ? volume.range.low : std::clamp(real, volume.range.low, volume.range.high);
-    classes[x] |= real < values.low ? below : real > values.high ? above : within;
+class Classes {
+ public:
+  Classes(const Volume& volume, ValueRange values) : volume_(volume), values_(values) {
+    if constexpr (isLookedUp) {
+      table_.resize(std::size_t{1} << (8 * sizeof(T)));
+      for (std::size_t i = 0; i < table_.size(); ++i) table_[i] = classOf(static_cast<T>(i));
+    }
   }
-}
+  std::uint8_t operator()(T scalar) const {
+    if constexpr (isLookedUp)
+      return table_[static_cast<std::make_unsigned_t<T>>(scalar)];
+    else
+      return classOf(scalar);
+  }
+
+ private:
+  static constexpr bool isLookedUp = std::is_integral_v<T> && sizeof(T) <= 2;
+
+  std::uint8_t classOf(T scalar) const {
+    double real = volume_.slope * static_cast<double>(scalar) + volume_.intercept;
+    if constexpr (std::is_floating_point_v<T>)
+      real = std::isnan(real) ? volume_.range.low : std::clamp(real, volume_.range.low, volume_.range.high);
+    return real < values_.low ? below : real > values_.high ? above : within;
+  }
+
+  const Volume& volume_;
+  ValueRange values_;
+  std::vector<std::uint8_t> table_;
+};
+
+/// Classes of the rows of two planes of voxels, each found when it is first asked for.
+template <class T>
+class ClassifiedRows {
+ public:
+  ClassifiedRows(const ShownVoxels& voxels, const Classes<T>& classOf, const RemovedVoxels* avoided)
+      : voxels_(voxels), classOf_(classOf), avoided_(avoided), dims_(voxels.volume().grid.dims) {
+    for (Plane& plane : planes_) {
+      plane.classes.resize(static_cast<std::size_t>(dims_.x) * static_cast<std::size_t>(dims_.y));
+      plane.zOfRow.assign(static_cast<std::size_t>(dims_.y), -1);
+    }
+  }
+
+  const std::uint8_t* row(int y, int z) {
+    Plane& plane = planes_[static_cast<std::size_t>(z % 2)];
+    const auto at = static_cast<std::size_t>(y), width = static_cast<std::size_t>(dims_.x);
+    std::uint8_t* classes = plane.classes.data() + at * width;
+    if (std::exchange(plane.zOfRow[at], z) == z) return classes;
+    const T* scalars = voxels_.row(y, z, buffer_);
+    for (std::size_t x = 0; x < width; ++x) classes[x] = classOf_(scalars[x]);
+    if (avoided_)
+      avoided_->forEachIn(y, z, [&](int x, std::uint8_t coverage) {
+        if (RemovedVoxels::isGone(coverage)) classes[x] |= gone;
+      });
+    return classes;
+  }
+
+ private:
+  struct Plane {
+    std::vector<std::uint8_t> classes;
+    std::vector<int> zOfRow;  ///< whose row is held; -1: none
+  };
+
+  const ShownVoxels& voxels_;
+  const Classes<T>& classOf_;
+  const RemovedVoxels* avoided_;
+  glm::ivec3 dims_;
+  std::array<Plane, 2> planes_;
+  std::vector<T> buffer_;
+};
 
 /// Runs of the cells whose corner values overlap the range; `classes` are those of each corner's column of four.
 std::vector<Run> runsOf(const std::vector<std::uint8_t>& classes, int cells) {
@@ -79,21 +143,18 @@ CellRuns activeCells(const ShownVoxels& voxels, const ShownVolume& shown, ValueR
   const bool avoidsGone = shown.removed && voxels.air() >= values.low && voxels.air() <= values.high;
   const glm::ivec3 dims = volume.grid.dims;
   CellRuns runs(dims);
+  const Classes<T> classOf(volume, values);
   parallelFor(static_cast<std::size_t>(runs.cells.z), 1, [&](std::size_t zBegin, std::size_t zEnd) {
     std::vector<std::uint8_t> classes(static_cast<std::size_t>(dims.x));
-    std::vector<T> buffer;
+    ClassifiedRows<T> rows(voxels, classOf, avoidsGone ? shown.removed.get() : nullptr);
     for (int z = static_cast<int>(zBegin); z < static_cast<int>(zEnd); ++z)
       for (int y = 0; y < runs.cells.y; ++y) {
         if (!rowCanMeet(y, z, values, bricks)) continue;
-        std::fill(classes.begin(), classes.end(), std::uint8_t{0});
-        for (const int cornerZ : {z, std::min(z + 1, dims.z - 1)})
-          for (const int cornerY : {y, std::min(y + 1, dims.y - 1)}) {
-            classifyRow(voxels.row(cornerY, cornerZ, buffer), volume, values, classes);
-            if (avoidsGone)
-              shown.removed->forEachIn(cornerY, cornerZ, [&](int x, std::uint8_t coverage) {
-                if (RemovedVoxels::isGone(coverage)) classes[static_cast<std::size_t>(x)] |= gone;
-              });
-          }
+        const int nextY = std::min(y + 1, dims.y - 1), nextZ = std::min(z + 1, dims.z - 1);
+        const std::uint8_t *a = rows.row(y, z), *b = rows.row(nextY, z);
+        const std::uint8_t *c = rows.row(y, nextZ), *d = rows.row(nextY, nextZ);
+        for (std::size_t x = 0; x < classes.size(); ++x)
+          classes[x] = static_cast<std::uint8_t>(a[x] | b[x] | c[x] | d[x]);
         runs.rows[runs.row(y, z)] = runsOf(classes, runs.cells.x);
       }
   });

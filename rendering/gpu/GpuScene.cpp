@@ -43,7 +43,7 @@ LabelSettings settingsInFocus(const Scene& scene) {
 
 }  // namespace
 
-void GpuScene::update(const Scene& scene) {
+void GpuScene::update(const Scene& scene, Use use) {
   if (!schedule_) schedule_ = usualSchedule();
   if (fitted_.isOfOther(scene)) {
     release();  // first: two volumes may not fit, and the driver is asked how much is free
@@ -53,7 +53,7 @@ void GpuScene::update(const Scene& scene) {
   }
   std::exception_ptr first;
   for (;;) try {
-      updateAll(fitted_.of(scene));
+      updateAll(fitted_.of(scene), use);
       labelSource_ = scene.labels;
       return;
     } catch (const gl::AllocationError&) {
@@ -144,7 +144,7 @@ void GpuScene::release() {
   paletteMap_ = {};
 }
 
-void GpuScene::updateAll(const Scene& scene) {
+void GpuScene::updateAll(const Scene& scene, Use use) {
   ShownVolume shown = shownVolume(scene);
   const bool volumeChanged = shown != shown_;
   if (volumeChanged) updateVolume(std::move(shown));
@@ -171,23 +171,28 @@ void GpuScene::updateAll(const Scene& scene) {
   const bool occupancyChanged = transferChanged && updateTransfer();
   updateSkips(changed, occupancyChanged);
 
-  const bool wantsGradient = scene.look.shading.enabled;
-  if (!wantsGradient) gradient_ = {};
-  if (!wantsGradient) normalCoefficients_ = {};
-  if (wantsGradient) updateGradient(changed, occupancyChanged);
-  focus_.updateSmooth(wantsGradient);
-  const Versions& v = versions_;
-  if (occluders_.update(scene, {v.volume, v.focus, v.transfer, v.palette, v.protectedLabels, v.exemptLabels,
-                                v.importance, scene.look.focusAppearance.extinction}))
-    ++versions_.occluders;
-  focalDistances_.update(scene, {v.volume, v.focus});
-
+  updateLight(scene, use, changed, occupancyChanged);
   const bool wantsDerivative = readsContextSurface(scene);
   if (!wantsDerivative) derivative_ = {};
-  if (wantsDerivative && !derivative_.texture) {
+  if (wantsDerivative && !derivative_.texture && use == Use::Pictures) {
     derivative_ = makeDerivativeVolume(shown_);
     ++versions_.derivative;
   }
+}
+
+void GpuScene::updateLight(const Scene& scene, Use use, const GpuFocus::Change& focus, bool occupancyChanged) {
+  const auto mayMake = [use](bool isThere) { return use == Use::Pictures || isThere; };
+  const bool isLit = scene.look.shading.enabled;
+  if (!isLit) gradient_ = {};
+  if (!isLit) normalCoefficients_ = {};
+  if (isLit && mayMake(static_cast<bool>(gradient_.texture))) updateGradient(focus, occupancyChanged);
+  focus_.updateSmooth(isLit && mayMake(static_cast<bool>(focus_.smooth())));
+  const Versions& v = versions_;
+  if (mayMake(occluders_.any()) &&
+      occluders_.update(scene, {v.volume, v.focus, v.transfer, v.palette, v.protectedLabels, v.exemptLabels,
+                                v.importance, scene.look.focusAppearance.extinction}))
+    ++versions_.occluders;
+  if (mayMake(focalDistances_.any())) focalDistances_.update(scene, {v.volume, v.focus});
 }
 
 void GpuScene::updateVolume(ShownVolume shown) {
@@ -202,8 +207,7 @@ void GpuScene::updateVolume(ShownVolume shown) {
     voxelBricks_ = brickRanges(shown);
     voxelBricks_.octants = std::vector<OctantRanges>();  // rays leap by those of the drawn grid
   } else {
-    volumeTexture_ = makeVolumeTexture(shown);
-    bricks_ = brickRanges(shown);
+    together([&] { volumeTexture_ = makeVolumeTexture(shown); }, [&] { bricks_ = brickRanges(shown); });
     voxelBricks_ = {};
   }
   shown_ = std::move(shown);

@@ -49,9 +49,12 @@ class GpuScene {
   explicit GpuScene(gl::SharedPrograms programs = std::make_shared<gl::ComputePrograms>())
       : programs_(std::move(programs)) {}
 
+  /// What is drawn: pictures, or first hits alone, as for placing cameras. What only pictures need is not made for
+  /// those; where it is there, it follows the scene.
+  enum class Use : std::uint8_t { Pictures, FirstHits };
   /// Brings everything up to date. Needs a current context, as does destruction. A volume that the device has no room
-  /// for is thinned by whole factors. Throws RenderError, gl::AllocationError.
-  void update(const Scene& scene);
+  /// for is thinned by whole factors, the same for either use. Throws RenderError, gl::AllocationError.
+  void update(const Scene& scene, Use use = Use::Pictures);
   /// What takes long to make of this scene is there: its voxels, its focus, what its light and its context layer need.
   /// peeled() and update() are quick then. Of a scene with a layer peeled off: what takes long to make of peeled().
   bool holds(const Scene& scene) const;
@@ -94,8 +97,8 @@ class GpuScene {
 
   const Grid& grid() const { return shown_.volume->grid; }  ///< of the voxels that are drawn
   /// Cells of the drawn grid along the side of a voxel. With a spline the device holds samples on a finer grid (see
-  /// RefinedVolume.h), on which bricks, skips and gradients lie, too; otherwise this is 1. The focus always lies in cells
-  /// of grid().
+  /// RefinedVolume.h), on which bricks, skips and gradients lie, too; otherwise this is 1. The focus always lies in
+  /// cells of grid().
   int refinement() const { return refinement_; }
   Grid drawnGrid() const { return refinement_ > 1 ? refined(grid(), refinement_) : grid(); }
   /// A position in the cell frame of drawnGrid(), from that of grid().
@@ -182,7 +185,8 @@ class GpuScene {
   void chooseRefinement(const Scene& scene, const DeviceLimits& limits);
   /// By brick of the drawn grid: wholeBrick where some of the focus lies in it, else 0.
   std::vector<OctantMask> drawnOccupied(const FocusIndex& focus) const;
-  void updateAll(const Scene& scene);
+  void updateAll(const Scene& scene, Use use);
+  void updateLight(const Scene& scene, Use use, const GpuFocus::Change& focus, bool occupancyChanged);
   void updateVolume(ShownVolume shown);
   /// Which bricks' occupation has changed.
   GpuFocus::Change updateFocus(const Scene& scene);

@@ -2,8 +2,10 @@
 // 3-D textures made plane by plane.
 
 #include <algorithm>
+#include <atomic>
 #include <cstddef>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "rendering/gl/Texture.h"
@@ -11,22 +13,31 @@
 
 namespace fenestra {
 
-/// Fills the texture slab by slab, so that there is no second copy of it: fill(z, plane) writes one plane of texels.
-/// Runs on all cores.
+/// Fills the texture slab by slab, so that there is no second copy of it and the processor's caches hold what is
+/// copied: fill(z, plane) writes one plane of texels. Runs on all cores; while this thread gives a slab to OpenGL, the
+/// others fill the next one.
 template <class Texel, class Fill>
 void uploadBySlabs(gl::Texture& texture, std::size_t texelsPerPlane, const Fill& fill) {
-  constexpr std::size_t slabBytes = std::size_t{16} << 20;
-  const int depth = texture.size().z;
+  constexpr std::size_t slabBytes = std::size_t{4} << 20;
+  const glm::ivec3 size = texture.size();
   const int slab = static_cast<int>(
       std::clamp<std::size_t>(slabBytes / std::max<std::size_t>(texelsPerPlane * sizeof(Texel), 1), 1, 256));
-  std::vector<Texel> texels;
-  for (int z = 0; z < depth; z += slab) {
-    const int count = std::min(slab, depth - z);
-    texels.resize(texelsPerPlane * static_cast<std::size_t>(count));
-    parallelFor(static_cast<std::size_t>(count), 1, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t i = begin; i < end; ++i) fill(z + static_cast<int>(i), texels.data() + i * texelsPerPlane);
+  struct Slab {
+    int z = 0, count = 0;
+    std::vector<Texel> texels;
+  } filled, next;
+  for (int z = 0; z < size.z || filled.count > 0; z += slab) {
+    next.z = z;
+    next.count = std::clamp(size.z - z, 0, slab);
+    next.texels.resize(texelsPerPlane * static_cast<std::size_t>(next.count));
+    std::atomic<int> taken = 0;
+    onEachCore([&](bool isCaller) {
+      if (isCaller && filled.count > 0)
+        texture.upload({0, 0, filled.z}, {size.x, size.y, filled.count}, std::as_bytes(std::span(filled.texels)));
+      for (int i = taken++; i < next.count; i = taken++)
+        fill(z + i, next.texels.data() + static_cast<std::size_t>(i) * texelsPerPlane);
     });
-    texture.upload({0, 0, z}, {texture.size().x, texture.size().y, count}, std::as_bytes(std::span(texels)));
+    std::swap(filled, next);
   }
 }
 

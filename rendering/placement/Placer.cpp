@@ -59,7 +59,7 @@ Placer::Batch::Batch(std::vector<glm::dvec3> wanted) : directions(std::move(want
 
 void Placer::begin(GpuScene& gpu, const Scene& scene, const Sampling& sampling, const Options& options) {
   task_.reset();
-  gpu.update(scene);
+  gpu.update(scene, GpuScene::Use::FirstHits);
   Key key{gpu.versions().volume,
           gpu.versions().focus,
           sampling,

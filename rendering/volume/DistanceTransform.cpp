@@ -15,7 +15,9 @@ namespace {
 /// Squared distances along a line of points to the nearest of a set, from those of the axes before.
 class LowerEnvelope {
  public:
-  LowerEnvelope(std::size_t length, double spacing) : square_(spacing * spacing), places_(length), bounds_(length) {}
+  /// Squares beyond `mostSquare` play no part.
+  LowerEnvelope(std::size_t length, double spacing, float mostSquare)
+      : square_(spacing * spacing), mostSquare_(mostSquare), places_(length), bounds_(length) {}
 
   /// to[i]: the squared distance at the point first + i · step, from those at the points 0, 1, 2, … .
   void sample(std::span<const float> from, int first, int step, std::span<float> to) {
@@ -24,6 +26,10 @@ class LowerEnvelope {
     int parabola = 0;
     for (std::size_t i = 0; i < to.size(); ++i) {
       const int q = first + static_cast<int>(i) * step;
+      if (q >= 0 && q < static_cast<int>(from.size()) && from[static_cast<std::size_t>(q)] == 0.0f) {
+        to[i] = 0.0f;
+        continue;
+      }
       while (parabola < last_ && bounds_[static_cast<std::size_t>(parabola) + 1] < q) ++parabola;
       const int p = places_[static_cast<std::size_t>(parabola)];
       const double away = static_cast<double>(q) - p;
@@ -35,8 +41,13 @@ class LowerEnvelope {
   /// The parabolas of the envelope, and where each begins.
   void find(std::span<const float> from) {
     last_ = -1;
+    const auto isZero = [&](int q) {
+      return q >= 0 && q < static_cast<int>(from.size()) && from[static_cast<std::size_t>(q)] == 0.0f;
+    };
     for (int q = 0; q < static_cast<int>(from.size()); ++q) {
-      if (std::isinf(from[static_cast<std::size_t>(q)])) continue;
+      if (!(from[static_cast<std::size_t>(q)] <= mostSquare_)) continue;
+      // Points outside a stretch of the set are nearer to its ends than to what lies between them.
+      if (isZero(q) && isZero(q - 1) && isZero(q + 1)) continue;
       double start = -std::numeric_limits<double>::infinity();
       for (; last_ >= 0; --last_) {
         const int p = places_[static_cast<std::size_t>(last_)];
@@ -53,6 +64,7 @@ class LowerEnvelope {
   }
 
   double square_;
+  float mostSquare_;
   int last_ = -1;
   std::vector<int> places_;
   std::vector<double> bounds_;
@@ -60,12 +72,16 @@ class LowerEnvelope {
 
 std::size_t product(int a, int b) { return static_cast<std::size_t>(a) * static_cast<std::size_t>(b); }
 
-/// Squares along y or z of `size` points, x fastest, at every line of the others.
-std::vector<float> sampledAlong(int axis, const std::vector<float>& squares, glm::ivec3 size, double spacing,
-                                const SampledLattice& at) {
+/// Replaces the squares of `size` points, x fastest, by those at the lattice's points along y or z, at every line of
+/// the others.
+void sampleAlong(int axis, std::vector<float>& squares, glm::ivec3 size, double spacing, float mostSquare,
+                 const SampledLattice& at) {
   glm::ivec3 result = size;
   result[axis] = at.points[axis];
-  std::vector<float> sampled(product(result.x, result.y) * static_cast<std::size_t>(result.z));
+  // A line is copied out before it is written, so that lines of the same length need no room of their own.
+  std::vector<float> elsewhere;
+  if (result != size) elsewhere.resize(product(result.x, result.y) * static_cast<std::size_t>(result.z));
+  std::vector<float>& sampled = result != size ? elsewhere : squares;
   const auto length = static_cast<std::size_t>(size[axis]), count = static_cast<std::size_t>(at.points[axis]);
   const auto row = static_cast<std::size_t>(size.x);
   const std::size_t step = axis == 1 ? row : product(size.x, size.y);
@@ -76,7 +92,7 @@ std::vector<float> sampledAlong(int axis, const std::vector<float>& squares, glm
   // Neighbouring lines are copied out together: they share the cache's lines.
   constexpr std::size_t together = 16;
   parallelFor(static_cast<std::size_t>(size[other]), 1, [&](std::size_t begin, std::size_t end) {
-    LowerEnvelope envelope(length, spacing);
+    LowerEnvelope envelope(length, spacing, mostSquare);
     std::vector<float> lines(length * together), found(count * together);
     for (std::size_t each = begin; each < end; ++each)
       for (std::size_t x = 0; x < row; x += together) {
@@ -92,15 +108,18 @@ std::vector<float> sampledAlong(int axis, const std::vector<float>& squares, glm
           for (std::size_t i = 0; i < width; ++i) to[q * stepOut + i] = found[i * count + q];
       }
   });
-  return sampled;
+  if (result != size) squares = std::move(elsewhere);
 }
 
 std::vector<float> byEnvelopes(std::span<const std::uint8_t> set, glm::ivec3 size, glm::dvec3 spacing,
-                               const SampledLattice& at) {
+                               const SampledLattice& at, double reach) {
+  // A little more than the square, for rounding. Infinite squares are none in any case.
+  const auto mostSquare =
+      static_cast<float>(std::min(reach * reach * 1.0001, double{std::numeric_limits<float>::max()}));
   const auto length = static_cast<std::size_t>(size.x), count = static_cast<std::size_t>(at.points.x);
   std::vector<float> squares(count * product(size.y, size.z));
   parallelFor(product(size.y, size.z), 64, [&](std::size_t begin, std::size_t end) {
-    LowerEnvelope envelope(length, spacing.x);
+    LowerEnvelope envelope(length, spacing.x, mostSquare);
     std::vector<float> line(length);
     for (std::size_t row = begin; row < end; ++row) {
       for (std::size_t x = 0; x < length; ++x)
@@ -109,9 +128,9 @@ std::vector<float> byEnvelopes(std::span<const std::uint8_t> set, glm::ivec3 siz
     }
   });
   size.x = at.points.x;
-  squares = sampledAlong(1, squares, size, spacing.y, at);
+  sampleAlong(1, squares, size, spacing.y, mostSquare, at);
   size.y = at.points.y;
-  squares = sampledAlong(2, squares, size, spacing.z, at);
+  sampleAlong(2, squares, size, spacing.z, mostSquare, at);
   parallelFor(squares.size(), 1 << 16, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) squares[i] = std::sqrt(squares[i]);
   });
@@ -182,10 +201,18 @@ bool isOrthogonal(const Grid& grid) {
   return true;
 }
 
-std::vector<float> distancesTo(std::span<const std::uint8_t> set, const Grid& grid, const SampledLattice& at) {
+std::vector<float> distancesTo(std::span<const std::uint8_t> set, const Grid& grid, const SampledLattice& at,
+                               double reach) {
+  constexpr float none = std::numeric_limits<float>::infinity();
   if (std::all_of(set.begin(), set.end(), [](std::uint8_t held) { return held == 0; }))
-    return std::vector<float>(at.count(), std::numeric_limits<float>::infinity());
-  return isOrthogonal(grid) ? byEnvelopes(set, grid.dims, grid.spacing, at) : bySearch(set, grid, at);
+    return std::vector<float>(at.count(), none);
+  std::vector<float> distances =
+      isOrthogonal(grid) ? byEnvelopes(set, grid.dims, grid.spacing, at, reach) : bySearch(set, grid, at);
+  if (std::isinf(reach)) return distances;
+  parallelFor(distances.size(), 1 << 16, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) distances[i] = distances[i] <= reach ? distances[i] : none;
+  });
+  return distances;
 }
 
 }  // namespace fenestra

@@ -41,6 +41,19 @@ void parallelFor(std::size_t count, std::size_t grain, const std::function<void(
   tbb::this_task_arena::isolate([&] { tbb::parallel_for(std::size_t{0}, pieces, piece, tbb::static_partitioner()); });
 }
 
+void onEachCore(const std::function<void(bool isCaller)>& body) {
+  const std::size_t cores = std::max(1u, std::thread::hardware_concurrency());
+  // The first piece is this thread's.
+  parallelFor(cores, 1, [&](std::size_t begin, std::size_t) { body(begin == 0); });
+}
+
+void together(const std::function<void()>& here, const std::function<void()>& elsewhere) {
+  parallelFor(2, 1, [&](std::size_t begin, std::size_t end) {
+    if (begin == 0) here();
+    if (end == 2) elsewhere();
+  });
+}
+
 Interruptible::Interruptible(std::function<bool()> goOn)
     : goOn_(std::move(goOn)), thread_(std::this_thread::get_id()), outer_(std::exchange(current, this)) {}
 

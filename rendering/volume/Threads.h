@@ -15,6 +15,13 @@ namespace fenestra {
 /// parallelFor(). `grain` is the least number of items worth a thread.
 void parallelFor(std::size_t count, std::size_t grain, const std::function<void(std::size_t, std::size_t)>& body);
 
+/// Calls body(isCaller) once for each core, on as many threads as are free, and waits: for work that they take in
+/// turns. isCaller: the call is on this thread, and the others need not have begun.
+void onEachCore(const std::function<void(bool isCaller)>& body);
+
+/// Calls both at once where there are two cores, `here` on this thread, and waits.
+void together(const std::function<void()>& here, const std::function<void()>& elsewhere);
+
 /// What interruptionPoint() throws.
 class Interrupted : public std::exception {
  public:

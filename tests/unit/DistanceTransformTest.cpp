@@ -82,6 +82,27 @@ TEST(DistanceTransform, IsExactBesideASolidBodyInAShearedGrid) {
   expectExact(set, grid, {.points = grid.dims});
 }
 
+/// What lies within reach has the very bits that it has without a limit.
+TEST(DistanceTransform, EndsAtItsReach) {
+  const glm::ivec3 dims(41, 23, 17);
+  for (const Grid& grid : {Grid{.dims = dims, .spacing = {0.7, 0.9, 2.5}}, sheared(dims)})
+    for (const double share : {0.0003, 0.01, 0.7})
+      for (const double reach : {1.8, 6.0}) {
+        SCOPED_TRACE(testing::Message() << share << ", " << reach);
+        const std::vector<std::uint8_t> set = randomSet(grid, share, 5);
+        for (const SampledLattice& at :
+             {SampledLattice{.points = dims}, SampledLattice{{-3, 1, -1}, {2, 1, 3}, {20, 23, 7}}}) {
+          const std::vector<float> whole = distancesTo(set, grid, at), near = distancesTo(set, grid, at, reach);
+          ASSERT_EQ(near.size(), whole.size());
+          for (std::size_t i = 0; i < whole.size(); ++i)
+            if (whole[i] <= reach)
+              ASSERT_EQ(near[i], whole[i]) << i;
+            else
+              ASSERT_TRUE(std::isinf(near[i])) << i;
+        }
+      }
+}
+
 TEST(DistanceTransform, OfNothingIsInfinite) {
   for (const Grid& grid : {Grid{.dims = {4, 5, 6}}, sheared({4, 5, 6})})
     for (const float each : distancesTo(std::vector<std::uint8_t>(120), grid, {.points = {3, 3, 3}}))
