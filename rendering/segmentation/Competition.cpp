@@ -1,12 +1,14 @@
 #include "rendering/segmentation/Competition.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "rendering/segmentation/BoneTree.h"
 #include "rendering/segmentation/BoneVoxels.h"
 #include "rendering/segmentation/TissueCells.h"
 #include "rendering/segmentation/TissueTree.h"
+#include "rendering/segmentation/TubeTracer.h"
 #include "rendering/segmentation/ValueGrower.h"
 
 namespace fenestra::segmentation {
@@ -20,6 +22,17 @@ constexpr double boneHandicap = 0.5;
 constexpr double marrowShare = 0.9;    ///< of a region that lies in a bone
 constexpr double leastContrast = 1.0;  ///< deviations of the noise, of a border
 constexpr double loudNoise = 2.0;      ///< differences that the eye tells apart
+
+// Of the clarity: a tube must be clearer than what is not bound to a shape by the first, and by the others the shorter
+// it is and the less of its wall is seen. An organ holds short tubes whose walls are partly its own.
+constexpr double tubeHandicap = 0.4, shortHandicap = 2.0, unseenHandicap = 4.0;
+constexpr double longTube = 7.0;   ///< diameters
+constexpr double seenWall = 0.85;  ///< Tube::support
+
+double handicapOf(const Tube& tube) {
+  return tubeHandicap + shortHandicap * std::max(0.0, std::log(longTube / tube.diameters())) +
+         unseenHandicap * std::max(0.0, seenWall - tube.support);
+}
 
 StructurePrior ofBone(StructurePrior prior) {
   prior.smallerHandicap = boneHandicap;
@@ -92,7 +105,41 @@ void Competition::decide(FirstRegion& region) const {
                                      (!clearest || other.clarity > clearest->clarity ||
                                       isMarrow(volume_, region.joins, clearest->step, joins, other.step));
                             });
+  if (const std::optional<TubeRegion> tube = clearerTube(region.seed, region, prior, clearest)) {
+    region.joins = allOf(*tube);
+    region.curve = curveOf(region.joins, region.costs, region.noise);
+    region.isBone = false;
+    region.isTube = true;
+    clearest = ClearestStep{tubeLevel + 1};
+  }
   if (clearest) beginWith(region.curve, clearest->step);
+}
+
+std::optional<TubeRegion> Competition::clearerTube(glm::ivec3 seed, const FirstRegion& first,
+                                                   const StructurePrior& prior,
+                                                   const std::optional<ClearestStep>& other) const {
+  const std::optional<Tube> tube = traceTube(volume_, first.noise, seed);
+  if (!tube) return std::nullopt;
+  TubeRegion region = tubeRegion(volume_, *tube);
+  if (!region.box.contains(seed) || region.joins[region.box.offset(seed)] > tubeLevel) return std::nullopt;
+  const VoxelBox whole = wholeOf(volume_.grid.dims);
+  std::vector<Level> joins(region.joins.size()), costs(region.joins.size());
+  for (std::size_t i = 0; i < joins.size(); ++i) {
+    joins[i] = region.joins[i] <= tubeLevel ? tubeLevel : never;
+    costs[i] = first.costs[whole.offset(region.box.at(i))];
+  }
+  const auto own = clearestStep(growthCurve(joins, costs, volume_.grid, region.box.dims(), first.noise.share()), prior,
+                                volume_.grid);
+  if (!own || (other && own->clarity <= other->clarity + handicapOf(*tube))) return std::nullopt;
+  return region;
+}
+
+std::vector<Level> Competition::allOf(const TubeRegion& tube) const {
+  std::vector<Level> joins(volume_.grid.voxelCount(), never);
+  const VoxelBox whole = wholeOf(volume_.grid.dims);
+  for (std::size_t i = 0; i < tube.joins.size(); ++i) joins[whole.offset(tube.box.at(i))] = tube.joins[i];
+  keepTo(ball_, volume_.grid, whole, joins);
+  return joins;
 }
 
 Competition::Region Competition::further(glm::ivec3 seed, const StructurePrior& prior, const FirstRegion& first) const {
@@ -109,6 +156,11 @@ Competition::Region Competition::further(glm::ivec3 seed, const StructurePrior& 
       region.joins = std::move(*bone);
       clearest = other;
     }
+  }
+  if (const std::optional<TubeRegion> tube =
+          first.isTube ? clearerTube(seed, first, priorOf(first), {}) : std::nullopt) {
+    region.joins = allOf(*tube);
+    clearest = ClearestStep{tubeLevel + 1};
   }
   if (clearest) region.step = clearest->step;
   return region;

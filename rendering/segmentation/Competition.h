@@ -1,5 +1,5 @@
 #pragma once
-// Which region a seed means: by values, by tissues or a bone, whichever is clearest (Curve.h).
+// Which region a seed means: by values, by tissues, a bone or a tube, whichever is clearest (Curve.h).
 
 #include <optional>
 #include <span>
@@ -8,6 +8,7 @@
 #include "rendering/segmentation/Curve.h"
 #include "rendering/segmentation/GrowthMemory.h"
 #include "rendering/segmentation/Levels.h"
+#include "rendering/segmentation/TubeTracer.h"
 #include "rendering/segmentation/VoxelBox.h"
 #include "rendering/volume/Volume.h"
 
@@ -29,11 +30,12 @@ class Competition {
               const std::optional<RegionBall>& ball)
       : volume_(volume), tissues_(tissues), bones_(bones), ball_(ball) {}
 
-  /// Replaces a region by values with the one by tissues or the bone where that is clearer, one of marrow with its
-  /// bone, and begins with the clearest step.
+  /// Replaces a region by values with the one by tissues, the bone or the tube where that is clearer, one of marrow
+  /// with its bone, and begins with the clearest step.
   void decide(FirstRegion& region) const;
 
-  /// What a further seed means beside a first one's region: the clearest tissue or bone of `prior`.
+  /// What a further seed means beside a first one's region: the clearest tissue or bone of `prior`; beside a
+  /// tube, the tube that holds it.
   struct Region {
     std::vector<Level> joins;
     int step = 1;
@@ -45,6 +47,12 @@ class Competition {
   double bodyVolume() const { return tissues_.bodyVolume(); }  ///< mm³
 
  private:
+  /// The tube at a seed where it is clearer than `other`, by the costs of `first`.
+  std::optional<TubeRegion> clearerTube(glm::ivec3 seed, const FirstRegion& first, const StructurePrior& prior,
+                                        const std::optional<ClearestStep>& other) const;
+  /// The levels of a tube for all voxels of the volume.
+  std::vector<Level> allOf(const TubeRegion& tube) const;
+
   const Volume& volume_;
   const TissueTree& tissues_;
   const BoneTree* bones_;
