@@ -1,0 +1,169 @@
+#include "rendering/segmentation/Competition.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "rendering/segmentation/BoneTree.h"
+#include "rendering/segmentation/BoneVoxels.h"
+#include "rendering/segmentation/TissueCells.h"
+#include "rendering/segmentation/TissueTree.h"
+#include "rendering/segmentation/TubeTracer.h"
+#include "rendering/segmentation/ValueGrower.h"
+
+namespace fenestra::segmentation {
+namespace {
+
+// Chosen on the marked structures of tests/bench/results/growing.md.
+constexpr double tissuesHandicap = 0.25;  ///< of the clarity: a region by tissues must be clearer by this much
+/// Of the clarity: bones are as thin within as at their joints in places, so that a part of one may be clearer than
+/// all.
+constexpr double boneHandicap = 0.5;
+constexpr double marrowShare = 0.9;    ///< of a region that lies in a bone
+constexpr double leastContrast = 1.0;  ///< deviations of the noise, of a border
+constexpr double loudNoise = 2.0;      ///< differences that the eye tells apart
+
+// Of the clarity: a tube must be clearer than what is not bound to a shape by the first, and by the others the shorter
+// it is and the less of its wall is seen. An organ holds short tubes whose walls are partly its own.
+constexpr double tubeHandicap = 0.4, shortHandicap = 2.0, unseenHandicap = 4.0;
+constexpr double longTube = 7.0;   ///< diameters
+constexpr double seenWall = 0.85;  ///< Tube::support
+
+double handicapOf(const Tube& tube) {
+  return tubeHandicap + shortHandicap * std::max(0.0, std::log(longTube / tube.diameters())) +
+         unseenHandicap * std::max(0.0, seenWall - tube.support);
+}
+
+StructurePrior ofBone(StructurePrior prior) {
+  prior.smallerHandicap = boneHandicap;
+  return prior;
+}
+
+/// Whether a region lies in a bone, and most of it is less dense than bone.
+bool isMarrow(const Volume& volume, const std::vector<Level>& joins, int step, const std::vector<Level>& bone,
+              int boneStep) {
+  const VoxelBox whole = wholeOf(volume.grid.dims);
+  std::size_t all = 0, within = 0, soft = 0;
+  for (std::size_t i = 0; i < joins.size(); ++i)
+    if (joins[i] < step) {
+      ++all;
+      within += bone[i] < boneStep ? 1 : 0;
+      soft += volume.value(whole.at(i)) < boneFrom ? 1 : 0;
+    }
+  return static_cast<double>(within) >= marrowShare * static_cast<double>(all) && 2 * soft > all;
+}
+
+}  // namespace
+
+void keepTo(const std::optional<RegionBall>& ball, const Grid& grid, const VoxelBox& box, std::vector<Level>& joins) {
+  if (!ball) return;
+  const double square = ball->radius * ball->radius;
+  forRows(box.dims(), [&](int y, int z, std::size_t begin) {
+    for (int x = 0; x < box.dims().x; ++x) {
+      const glm::dvec3 index(box.low + glm::ivec3(x, y, z));
+      const glm::dvec3 away = glm::dvec3(grid.worldFromIndex() * glm::dvec4(index, 1.0)) - ball->centre;
+      if (glm::dot(away, away) > square) joins[begin + static_cast<std::size_t>(x)] = never;
+    }
+  });
+}
+
+StructurePrior Competition::priorOf(const FirstRegion& region) const {
+  const bool isGas = volume_.isInHounsfieldUnits() && volume_.value(region.seed) < gasBelow;
+  StructurePrior prior = structurePrior(tissues_.bodyVolume(), isGas);
+  // A border's contrast is a mean over many faces, so that it is seen below the noise of a single voxel.
+  prior.contrast = leastContrast * std::min(region.noise.deviation, loudNoise * region.noise.seen) / region.noise.unit;
+  return prior;
+}
+
+GrowthCurve Competition::curveOf(const std::vector<Level>& joins, std::span<const Level> costs,
+                                 const Noise& noise) const {
+  return growthCurve(joins, costs, volume_.grid, volume_.grid.dims, noise.share());
+}
+
+void Competition::decide(FirstRegion& region) const {
+  const StructurePrior prior = priorOf(region);
+  auto clearest = clearestStep(region.curve, prior, volume_.grid);
+  const auto compete = [&](std::vector<Level> joins, std::span<const Level> costs, const StructurePrior& own, int last,
+                           auto wins) {
+    keepTo(ball_, volume_.grid, wholeOf(volume_.grid.dims), joins);
+    GrowthCurve curve = curveOf(joins, costs, region.noise);
+    const auto other = clearestStep(curve, own, volume_.grid, last);
+    if (!other || !wins(joins, *other)) return false;
+    region.curve = std::move(curve);
+    region.joins = std::move(joins);
+    clearest = other;
+    return true;
+  };
+  compete(tissues_.joinsOf(volume_, region.seed), region.costs, prior, stepCount,
+          [&](const std::vector<Level>&, const ClearestStep& other) {
+            return !clearest || other.clarity > clearest->clarity + tissuesHandicap;
+          });
+  if (std::optional<std::vector<Level>> bone = bones_ ? bones_->joinsOf(region.seed) : std::nullopt)
+    region.isBone = compete(std::move(*bone), boneCosts(volume_, region.noise), ofBone(prior), BoneTree::lastStep(),
+                            [&](const std::vector<Level>& joins, const ClearestStep& other) {
+                              return bones_->isBone(volume_, joins, other.step) &&
+                                     (!clearest || other.clarity > clearest->clarity ||
+                                      isMarrow(volume_, region.joins, clearest->step, joins, other.step));
+                            });
+  if (const std::optional<TubeRegion> tube = clearerTube(region.seed, region, prior, clearest)) {
+    region.joins = allOf(*tube);
+    region.curve = curveOf(region.joins, region.costs, region.noise);
+    region.isBone = false;
+    region.isTube = true;
+    clearest = ClearestStep{tubeLevel + 1};
+  }
+  if (clearest) beginWith(region.curve, clearest->step);
+}
+
+std::optional<TubeRegion> Competition::clearerTube(glm::ivec3 seed, const FirstRegion& first,
+                                                   const StructurePrior& prior,
+                                                   const std::optional<ClearestStep>& other) const {
+  const std::optional<Tube> tube = traceTube(volume_, first.noise, seed);
+  if (!tube) return std::nullopt;
+  TubeRegion region = tubeRegion(volume_, *tube);
+  if (!region.box.contains(seed) || region.joins[region.box.offset(seed)] > tubeLevel) return std::nullopt;
+  const VoxelBox whole = wholeOf(volume_.grid.dims);
+  std::vector<Level> joins(region.joins.size()), costs(region.joins.size());
+  for (std::size_t i = 0; i < joins.size(); ++i) {
+    joins[i] = region.joins[i] <= tubeLevel ? tubeLevel : never;
+    costs[i] = first.costs[whole.offset(region.box.at(i))];
+  }
+  const auto own = clearestStep(growthCurve(joins, costs, volume_.grid, region.box.dims(), first.noise.share()), prior,
+                                volume_.grid);
+  if (!own || (other && own->clarity <= other->clarity + handicapOf(*tube))) return std::nullopt;
+  return region;
+}
+
+std::vector<Level> Competition::allOf(const TubeRegion& tube) const {
+  std::vector<Level> joins(volume_.grid.voxelCount(), never);
+  const VoxelBox whole = wholeOf(volume_.grid.dims);
+  for (std::size_t i = 0; i < tube.joins.size(); ++i) joins[whole.offset(tube.box.at(i))] = tube.joins[i];
+  keepTo(ball_, volume_.grid, whole, joins);
+  return joins;
+}
+
+Competition::Region Competition::further(glm::ivec3 seed, const StructurePrior& prior, const FirstRegion& first) const {
+  const VoxelBox whole = wholeOf(volume_.grid.dims);
+  Region region{tissues_.joinsOf(volume_, seed)};
+  keepTo(ball_, volume_.grid, whole, region.joins);
+  auto clearest = clearestStep(curveOf(region.joins, first.costs, first.noise), prior, volume_.grid);
+  if (std::optional<std::vector<Level>> bone = bones_ ? bones_->joinsOf(seed) : std::nullopt) {
+    keepTo(ball_, volume_.grid, whole, *bone);
+    const GrowthCurve curve = curveOf(*bone, boneCosts(volume_, first.noise), first.noise);
+    const auto other = clearestStep(curve, ofBone(prior), volume_.grid, BoneTree::lastStep());
+    if (other && bones_->isBone(volume_, *bone, other->step) &&
+        (first.isBone || !clearest || other->clarity > clearest->clarity)) {
+      region.joins = std::move(*bone);
+      clearest = other;
+    }
+  }
+  if (const std::optional<TubeRegion> tube =
+          first.isTube ? clearerTube(seed, first, priorOf(first), {}) : std::nullopt) {
+    region.joins = allOf(*tube);
+    clearest = ClearestStep{tubeLevel + 1};
+  }
+  if (clearest) region.step = clearest->step;
+  return region;
+}
+
+}  // namespace fenestra::segmentation

@@ -1,0 +1,62 @@
+#pragma once
+// Which region a seed means: by values, by tissues, a bone or a tube, whichever is clearest (Curve.h).
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "rendering/segmentation/Curve.h"
+#include "rendering/segmentation/GrowthMemory.h"
+#include "rendering/segmentation/Levels.h"
+#include "rendering/segmentation/TubeTracer.h"
+#include "rendering/segmentation/VoxelBox.h"
+#include "rendering/volume/Volume.h"
+
+namespace fenestra::segmentation {
+
+/// The ball that bounds a region, where there is one.
+struct RegionBall {
+  glm::dvec3 centre{0.0};  ///< world mm
+  double radius = 0.0;     ///< mm
+};
+/// Nothing joins outside the ball. `joins` are of the voxels of `box`.
+void keepTo(const std::optional<RegionBall>& ball, const Grid& grid, const VoxelBox& box, std::vector<Level>& joins);
+
+/// In a whole volume. Takes a byte a voxel or two while it runs, on all cores.
+class Competition {
+ public:
+  /// All outlive this; `bones` is null where there are none.
+  Competition(const Volume& volume, const TissueTree& tissues, const BoneTree* bones,
+              const std::optional<RegionBall>& ball)
+      : volume_(volume), tissues_(tissues), bones_(bones), ball_(ball) {}
+
+  /// Replaces a region by values with the one by tissues, the bone or the tube where that is clearer, one of marrow
+  /// with its bone, and begins with the clearest step.
+  void decide(FirstRegion& region) const;
+
+  /// What a further seed means beside a first one's region: the clearest tissue or bone of `prior`; beside a
+  /// tube, the tube that holds it.
+  struct Region {
+    std::vector<Level> joins;
+    int step = 1;
+  };
+  Region further(glm::ivec3 seed, const StructurePrior& prior, const FirstRegion& first) const;
+
+  StructurePrior priorOf(const FirstRegion& region) const;
+  GrowthCurve curveOf(const std::vector<Level>& joins, std::span<const Level> costs, const Noise& noise) const;
+  double bodyVolume() const { return tissues_.bodyVolume(); }  ///< mm³
+
+ private:
+  /// The tube at a seed where it is clearer than `other`, by the costs of `first`.
+  std::optional<TubeRegion> clearerTube(glm::ivec3 seed, const FirstRegion& first, const StructurePrior& prior,
+                                        const std::optional<ClearestStep>& other) const;
+  /// The levels of a tube for all voxels of the volume.
+  std::vector<Level> allOf(const TubeRegion& tube) const;
+
+  const Volume& volume_;
+  const TissueTree& tissues_;
+  const BoneTree* bones_;
+  std::optional<RegionBall> ball_;
+};
+
+}  // namespace fenestra::segmentation

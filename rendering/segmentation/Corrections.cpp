@@ -1,0 +1,95 @@
+#include "rendering/segmentation/Corrections.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <optional>
+#include <utility>
+
+#include "rendering/segmentation/Morphology.h"
+#include "rendering/segmentation/RegionCut.h"
+
+namespace fenestra::segmentation {
+namespace {
+
+// Chosen on the marked structures of tests/bench/results/growing.md.
+// A further seed adds no more than these multiples of the region, beside it or apart from it, or than this multiple of
+// a structure's usual size: what a click missed is seldom larger, a leak is. Apart from it, it means a structure of its
+// own, which may be far larger.
+constexpr double mostOfMissed = 0.5, mostOfOther = 10.0, mostAdded = 20.0;
+constexpr double besideRadius = 4.0;  ///< voxel sides
+/// mm, and voxel sides, whichever is less: a seed farther from the region means more than a piece of it.
+constexpr double farthestGap = 30.0, farthestGapSides = 40.0;
+/// Radius of the largest ball that a further seed adds, as a multiple of its distance from the region: one at the
+/// surface means a layer.
+constexpr double gapReach = 3.0;
+/// CutCost::perVolume times the side of a cube as large as the body: smaller bodies have smaller structures. What is
+/// soft has edges to go by, bones have their shape alone.
+constexpr double boneCutPerVolume = 9.0, tissueCutPerVolume = 3.0;
+
+CutCost cutCost(const FirstRegion& first, double bodyVolume) {
+  const double side = std::cbrt(std::max(1.0, bodyVolume));
+  if (first.isBone) return {.perVolume = boneCutPerVolume / side, .edge = std::numeric_limits<double>::infinity()};
+  return {.perVolume = tissueCutPerVolume / side, .edge = first.noise.unit};
+}
+
+/// mm from a voxel to the region of a step; empty where that is farther than a piece of the region would be.
+std::optional<double> gapTo(const Grid& grid, glm::ivec3 voxel, const std::vector<Level>& joins, int step) {
+  const VoxelBox whole = wholeOf(grid.dims);
+  const double farthest = std::min(farthestGap, farthestGapSides * voxelSide(grid));
+  std::optional<double> gap;
+  for (const glm::ivec3 offset : ballOffsets(grid, farthest)) {
+    if (!whole.contains(voxel + offset) || joins[whole.offset(voxel + offset)] >= step) continue;
+    const double away = glm::length(glm::dvec3(grid.worldFromIndex() * glm::dvec4(glm::dvec3(offset), 0.0)));
+    gap = std::min(gap.value_or(away), away);
+  }
+  return gap;
+}
+
+/// The clearest region at a further seed joins at the step `automatic`, with its own larger and smaller ones around it.
+void addAt(glm::ivec3 seed, const Volume& volume, const Competition& competition, StructurePrior prior,
+           const FirstRegion& first, std::vector<Level>& joins) {
+  const int automatic = first.curve.automatic;
+  const std::optional<double> gap = gapTo(volume.grid, seed, joins, automatic);
+  if (gap == 0.0) return;
+  const bool isBeside = gap && *gap <= besideRadius * voxelSide(volume.grid);
+  prior.most =
+      std::min(prior.most, std::max((isBeside ? mostOfMissed : mostOfOther) * prior.expected, mostAdded * prior.usual));
+  if (gap) prior.most = std::min(prior.most, 4.0 / 3.0 * std::numbers::pi * std::pow(gapReach * *gap, 3.0));
+  prior.limit = prior.most;
+  const Competition::Region own = competition.further(seed, prior, first);
+  const int shift = automatic - own.step;
+  for (std::size_t i = 0; i < joins.size(); ++i)
+    if (own.joins[i] != never)
+      joins[i] = std::min(joins[i], static_cast<Level>(std::clamp(own.joins[i] + shift, 0, levelCount - 1)));
+}
+
+}  // namespace
+
+CorrectedRegion corrected(const Volume& volume, const Competition& competition, const FirstRegion& first,
+                          std::span<const glm::ivec3> inside, std::span<const glm::ivec3> outside) {
+  CorrectedRegion region{first.joins, {}};
+  std::vector<Level>& joins = region.joins;
+  const int automatic = first.curve.automatic;
+  // The region at the chosen step, whatever the tolerance: it must not depend on when seeds were added.
+  StructurePrior prior = competition.priorOf(first);
+  prior.expected = first.curve.volume[static_cast<std::size_t>(automatic)];
+  for (const glm::ivec3& seed : inside.subspan(1)) addAt(seed, volume, competition, prior, first, joins);
+  if (!outside.empty()) {
+    const std::vector<std::uint8_t> taken =
+        cutOff(volume, joins, automatic, inside, outside, cutCost(first, competition.bodyVolume()));
+    // A greater tolerance stops before it would reach a seed outside, and adds nothing where one has cut.
+    Level last = never;
+    for (const glm::ivec3& seed : outside)
+      last = std::min(last, std::max(static_cast<Level>(automatic), joins[wholeOf(volume.grid.dims).offset(seed)]));
+    for (std::size_t i = 0; i < joins.size(); ++i)
+      if (taken[i] || joins[i] >= last) joins[i] = never;
+  }
+  // The tolerance stays: what is added and taken away is all that changes.
+  region.curve = competition.curveOf(joins, first.costs, first.noise);
+  beginWith(region.curve, automatic);
+  return region;
+}
+
+}  // namespace fenestra::segmentation
