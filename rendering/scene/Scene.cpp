@@ -39,10 +39,14 @@ ShownVolume shownVolume(const Scene& scene) {
 
 Reconstruction reconstructionOf(const Scene& scene) {
   if (scene.look.reconstruction != Reconstruction::Auto || !scene.volume) return scene.look.reconstruction;
-  const Grid& grid = scene.volume->grid;
+  return reconstructionOf(scene.volume->grid);
+}
+
+Reconstruction reconstructionOf(const Grid& grid) {
   const double pixel = 2.0 * grid.boundingRadius() / pixelsAcrossVolume;
-  const bool coarse = std::max({grid.spacing.x, grid.spacing.y, grid.spacing.z}) > pixel;
-  return coarse && grid.voxelCount() <= mostSplineVoxels ? Reconstruction::Smooth : Reconstruction::Linear;
+  const double pixels = std::max({grid.spacing.x, grid.spacing.y, grid.spacing.z}) / pixel;
+  if (!(pixels > 1.0) || grid.voxelCount() > mostSplineVoxels) return Reconstruction::Linear;
+  return pixels > pixelsOfTerraces ? Reconstruction::Smoother : Reconstruction::Smooth;
 }
 
 const std::shared_ptr<const LabelMap>& structuresOf(const Scene& scene) {

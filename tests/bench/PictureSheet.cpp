@@ -93,6 +93,7 @@ class Rows {
 
  private:
   void add(Row row) {
+    row.options.makePlain();
     row.options.look.background = glm::dvec3(0.05, 0.055, 0.07);
     rows_.push_back(std::move(row));
   }

@@ -199,7 +199,7 @@ TEST(SplineVolume, CubicIsNearerToAZonePlateThanLinearAndThatThanSmooth) {
               }));
 }
 
-TEST(Reconstruction, AutoIsSmoothForCoarseAndSmallVolumesOnly) {
+TEST(Reconstruction, AutoSmoothsCoarseAndSmallVolumesOnlyAndTheCoarsestMost) {
   Scene scene;
   scene.look.reconstruction = Reconstruction::Auto;
   const auto kindOf = [&](glm::ivec3 dims, ScalarType type) {
@@ -209,7 +209,8 @@ TEST(Reconstruction, AutoIsSmoothForCoarseAndSmallVolumesOnly) {
     scene.volume = volume;
     return reconstructionOf(scene);
   };
-  EXPECT_EQ(kindOf({122, 101, 112}, ScalarType::Int16), Reconstruction::Smooth);
+  EXPECT_EQ(kindOf({122, 101, 112}, ScalarType::Int16), Reconstruction::Smoother);  // wider than two pixels
+  EXPECT_EQ(kindOf({180, 180, 170}, ScalarType::Int16), Reconstruction::Smooth);
   EXPECT_EQ(kindOf({512, 512, 245}, ScalarType::Int16), Reconstruction::Linear);  // too many
   EXPECT_EQ(kindOf({2000, 50, 1}, ScalarType::Int16), Reconstruction::Linear);    // finer than pixels
   scene.look.reconstruction = Reconstruction::Cubic;
