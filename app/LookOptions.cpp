@@ -57,13 +57,15 @@ void addSetting(Command command, const Setting<Owner, Value>& setting, Value& ta
 template <class Owner>
 void addPair(Command command, const std::string& name, const std::string& form, const Setting<Owner, double>& first,
              const Setting<Owner, double>& second, Owner& target) {
-  command.add(name, form, helpOf(first, target.*first.member) + "; " + helpOf(second, target.*second.member), [=, &target](const std::string& text) {
-    const auto numbers = parseNumbers<double, 2>(text, ',');
-    if (!numbers || !first.range.contains((*numbers)[0]) || !second.range.contains((*numbers)[1])) return false;
-    target.*first.member = (*numbers)[0];
-    target.*second.member = (*numbers)[1];
-    return true;
-  });
+  command.add(name, form, helpOf(first, target.*first.member) + "; " + helpOf(second, target.*second.member),
+              [=, &target](const std::string& text) {
+                const auto numbers = parseNumbers<double, 2>(text, ',');
+                if (!numbers || !first.range.contains((*numbers)[0]) || !second.range.contains((*numbers)[1]))
+                  return false;
+                target.*first.member = (*numbers)[0];
+                target.*second.member = (*numbers)[1];
+                return true;
+              });
 }
 
 /// All settings of `target` that have an option.

@@ -212,7 +212,8 @@ SeriesInfo describe(const ImageFile& image) {
   SeriesInfo info;
   info.id = image.path.filename().string();
   if (image.modality == Modality::CT) info.modality = "CT";
-  if (image.modality != Modality::CT && image.modality != Modality::Unknown) info.modality = wordOf(image.modality).word;
+  if (image.modality != Modality::CT && image.modality != Modality::Unknown)
+    info.modality = wordOf(image.modality).word;
   info.dims = image.grid.dims;
   info.files = image.source.files;
   return info;

@@ -78,7 +78,8 @@ struct ClipChanges {
 
 /// Data, and how to look at them; unset members take what suits the data.
 struct StudyRequest : DataRequest {
-  Look look = startingLook();  ///< starts as the session's, where there is one; the members below override its focus, context, clipping and strokes
+  Look look = startingLook();  ///< starts as the session's, where there is one; the members below override its focus,
+                               ///< context, clipping and strokes
   std::vector<std::string> focusLabels;  ///< values or names
   LabelChanges labelChanges;
   ClipChanges clipChanges;
@@ -106,7 +107,8 @@ struct StudyRequest : DataRequest {
 
   /// The plain look (Look's initialisers) and preset in place of the starting ones; for measurements.
   void makePlain();
-  /// The bare look and the plain preset in place of the starting ones. A session keeps its own but for border and edges.
+  /// The bare look and the plain preset in place of the starting ones. A session keeps its own but for border and
+  /// edges.
   void makeBare();
   /// Takes over a session's look, sampling and slices, for other choices to override, and opens its data.
   void startFrom(Session from);

@@ -27,9 +27,9 @@ std::vector<std::uint8_t> cornersOf(const ShownVolume& shown, ValueRange range) 
           for (int x = 0; x < grid.dims.x; ++x) {
             const glm::ivec3 voxel(x, y, z);
             const double value = valueAt(voxel);
-            row[x] = static_cast<std::uint8_t>((value <= range.high ? notAbove : 0) |
-                                               (value >= range.low ? notBelow : 0) | (std::isnan(value) ? 0 : isNumber) |
-                                               (avoidsGone && voxels.isGone(voxel) ? isGone : 0));
+            row[x] = static_cast<std::uint8_t>(
+                (value <= range.high ? notAbove : 0) | (value >= range.low ? notBelow : 0) |
+                (std::isnan(value) ? 0 : isNumber) | (avoidsGone && voxels.isGone(voxel) ? isGone : 0));
           }
         }
     });

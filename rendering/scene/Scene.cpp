@@ -39,14 +39,14 @@ ShownVolume shownVolume(const Scene& scene) {
 
 Reconstruction reconstructionOf(const Scene& scene) {
   if (scene.look.reconstruction != Reconstruction::Auto || !scene.volume) return scene.look.reconstruction;
-  return reconstructionOf(scene.volume->grid);
-}
-
-Reconstruction reconstructionOf(const Grid& grid) {
+  const Grid& grid = scene.volume->grid;
   const double pixel = 2.0 * grid.boundingRadius() / pixelsAcrossVolume;
-  const double pixels = std::max({grid.spacing.x, grid.spacing.y, grid.spacing.z}) / pixel;
-  if (!(pixels > 1.0) || grid.voxelCount() > mostSplineVoxels) return Reconstruction::Linear;
-  return pixels > pixelsOfTerraces ? Reconstruction::Smoother : Reconstruction::Smooth;
+  const glm::dvec3 spacing = grid.spacing;
+  const double widest = std::max({spacing.x, spacing.y, spacing.z});
+  if (!(widest > pixel) || grid.voxelCount() > mostSplineVoxels) return Reconstruction::Linear;
+  const bool isSharp =
+      scene.volume->isInHounsfieldUnits() || widest > thickSlices * std::min({spacing.x, spacing.y, spacing.z});
+  return isSharp && widest > pixelsOfTerraces * pixel ? Reconstruction::Smoother : Reconstruction::Smooth;
 }
 
 const std::shared_ptr<const LabelMap>& structuresOf(const Scene& scene) {

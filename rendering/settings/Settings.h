@@ -1,8 +1,8 @@
 #pragma once
 // Declares every setting of a look once, but those of the methods, which rendering/methods has: its name in files, on
-// the command line and in the window, its meaning and its range. A setting's initialiser is what a file without it means;
-// what a new scene starts with is startingLook() of StartingLook.h. Session files and their published schema, the options of the
-// command line and the controls of the window are made from these tables.
+// the command line and in the window, its meaning and its range. A setting's initialiser is what a file without it
+// means; what a new scene starts with is startingLook() of StartingLook.h. Session files and their published schema,
+// the options of the command line and the controls of the window are made from these tables.
 
 #include <tuple>
 

@@ -1,5 +1,5 @@
-// The context's edges explain and do not cover: with the looks that new data open with, they change at most an eighth of
-// the focus's projection by more than 32/255, on all labelled data.
+// The context's edges explain and do not cover: with the looks that new data open with, they change at most an eighth
+// of the focus's projection by more than 32/255, on all labelled data.
 
 #include <cmath>
 
@@ -25,12 +25,13 @@ TEST_P(ContextEdges, ChangeAnEighthOfTheFocusAtMost) {
     FENESTRA_TEST_DATA_OR_SKIP(labels, data.labels);
     scene = {"render", image.string(), "--labels", labels.string()};
   }
-  for (const std::string& each : {std::string("--focus-labels"), data.focus, std::string("--size"), std::string("280x260")})
+  for (const std::string& each :
+       {std::string("--focus-labels"), data.focus, std::string("--size"), std::string("280x260")})
     scene.push_back(each);
   const auto drawn = [&](const std::string& name, const std::string& camera, const std::vector<std::string>& more) {
     std::vector<std::string> all = scene;
-    for (const std::string& each : {std::string("--camera"), camera, std::string("-o"), at(name + ".png"),
-                                    std::string("--layers"), at(name)})
+    for (const std::string& each :
+         {std::string("--camera"), camera, std::string("-o"), at(name + ".png"), std::string("--layers"), at(name)})
       all.push_back(each);
     all.insert(all.end(), more.begin(), more.end());
     const Result result = run(all);
@@ -58,21 +59,25 @@ TEST_P(ContextEdges, ChangeAnEighthOfTheFocusAtMost) {
 
 INSTANTIATE_TEST_SUITE_P(
     Data, ContextEdges,
-    ::testing::Values(
-        Labelled{"Phantom", "", "", "heart"},
-        Labelled{"Torso", "labelled/totalsegmentator-torso/example_ct.nii.gz",
-                 "labelled/totalsegmentator-torso/example_seg_fast_force_split.nii.gz", "2,3,52"},
-        Labelled{"Abdomen", "labelled/totalsegmentator-dicom/example_ct_dicom",
-                 "labelled/totalsegmentator-dicom/example_seg_dicom.nii.gz", "5"},
-        Labelled{"Chest", "labelled/slicer-ctchest/CTChest4.nrrd", "labelled/slicer-ctchest/Segmentation.seg.nrrd",
-                 "right lung,left lung"},
-        Labelled{"Lung", "labelled/elastix-lung/3DCT_lung.mha", "labelled/elastix-lung/3DCT_lung_baseline_mask.mha", "1"},
-        Labelled{"Brain", "labelled/brain-colin27/ch2.nii.gz", "labelled/brain-colin27/aal.nii.gz", "37,38"},
-        Labelled{"Hand", "labelled/bodyparts3d/hand/hand_ct.nii.gz", "labelled/bodyparts3d/hand/hand_seg.nii.gz", "120,121"},
-        Labelled{"Foot", "labelled/bodyparts3d/foot/foot_ct.nii.gz", "labelled/bodyparts3d/foot/foot_seg.nii.gz", "119,120"},
-        Labelled{"Head", "labelled/bodyparts3d/head/head_ct.nii.gz", "labelled/bodyparts3d/head/head_seg.nii.gz", "135,137"},
-        Labelled{"Body", "labelled/bodyparts3d/torso/torso_ct.nii.gz", "labelled/bodyparts3d/torso/torso_seg.nii.gz",
-                 "2,3,52"}),
+    ::testing::Values(Labelled{"Phantom", "", "", "heart"},
+                      Labelled{"Torso", "labelled/totalsegmentator-torso/example_ct.nii.gz",
+                               "labelled/totalsegmentator-torso/example_seg_fast_force_split.nii.gz", "2,3,52"},
+                      Labelled{"Abdomen", "labelled/totalsegmentator-dicom/example_ct_dicom",
+                               "labelled/totalsegmentator-dicom/example_seg_dicom.nii.gz", "5"},
+                      Labelled{"Chest", "labelled/slicer-ctchest/CTChest4.nrrd",
+                               "labelled/slicer-ctchest/Segmentation.seg.nrrd", "right lung,left lung"},
+                      Labelled{"Lung", "labelled/elastix-lung/3DCT_lung.mha",
+                               "labelled/elastix-lung/3DCT_lung_baseline_mask.mha", "1"},
+                      Labelled{"Brain", "labelled/brain-colin27/ch2.nii.gz", "labelled/brain-colin27/aal.nii.gz",
+                               "37,38"},
+                      Labelled{"Hand", "labelled/bodyparts3d/hand/hand_ct.nii.gz",
+                               "labelled/bodyparts3d/hand/hand_seg.nii.gz", "120,121"},
+                      Labelled{"Foot", "labelled/bodyparts3d/foot/foot_ct.nii.gz",
+                               "labelled/bodyparts3d/foot/foot_seg.nii.gz", "119,120"},
+                      Labelled{"Head", "labelled/bodyparts3d/head/head_ct.nii.gz",
+                               "labelled/bodyparts3d/head/head_seg.nii.gz", "135,137"},
+                      Labelled{"Body", "labelled/bodyparts3d/torso/torso_ct.nii.gz",
+                               "labelled/bodyparts3d/torso/torso_seg.nii.gz", "2,3,52"}),
     [](const auto& test) { return test.param.name; });
 
 }  // namespace

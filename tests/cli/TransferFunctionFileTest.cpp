@@ -126,7 +126,8 @@ TEST(TransferFunctionFile, UnknownNameListsThePresets) {
     loadContextFunction("ct-bones", ct());
     FAIL() << "an unknown preset was accepted";
   } catch (const Error& error) {
-    EXPECT_EQ(error.hint(), "the presets are ct-angio, ct-bone, ct-lung, ct-plain, ct-skin, ct-soft-tissue, mr, mr-angio, mr-bright, "
+    EXPECT_EQ(error.hint(),
+              "the presets are ct-angio, ct-bone, ct-lung, ct-plain, ct-skin, ct-soft-tissue, mr, mr-angio, mr-bright, "
               "mr-t1, mr-t2, pet, ultrasound");
   }
 }
@@ -181,7 +182,9 @@ TEST(TransferFunctionFile, AnOpacityMayBeThatOfAVoxel) {
   const auto nodes = loadContextFunction(path.string(), volume).function.nodes;
   EXPECT_DOUBLE_EQ(nodes[1].properties.extinction, 2.0 * nodes[0].properties.extinction);
   EXPECT_NE(causeOf(R"({"name": "x", "domain": "value", "nodes": [
-      {"value": 0, "colour": [1, 1, 1], "opacity": 0.5, "per": "inch"}]})").find("\"per\""), std::string::npos);
+      {"value": 0, "colour": [1, 1, 1], "opacity": 0.5, "per": "inch"}]})")
+                .find("\"per\""),
+            std::string::npos);
 }
 
 }  // namespace

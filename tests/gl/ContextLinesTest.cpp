@@ -54,9 +54,7 @@ double changedShare(const Scene& scene, const View& view) {
   return static_cast<double>(changed) / static_cast<double>(shown);
 }
 
-View viewOf(const Scene& scene) {
-  return {.camera = Camera::fromAngles(30.0, 20.0, scene.volume->grid), .size = size};
-}
+View viewOf(const Scene& scene) { return {.camera = Camera::fromAngles(30.0, 20.0, scene.volume->grid), .size = size}; }
 
 TEST_F(ContextLinesTest, ChangeAnEighthOfTheFocusAtMostHoweverRoughTheContext) {
   Scene scene = noisyBody();
