@@ -148,9 +148,10 @@ TEST_F(ReadStudy, ABareLookLeavesASessionsOwn) {
 }
 
 TEST_F(ReadStudy, AutomaticOfAnOlderSessionIsWhatItWasThen) {
-  auto thick = std::make_shared<Volume>(*io::openVolume(folder_ / "ball.nrrd").volume);
-  thick->grid.spacing = {1.0, 1.0, 5.0};
-  io::writeVolume(*thick, folder_ / "ball.nrrd");
+  Grid grid = gridOf(glm::ivec3(40));
+  grid.spacing = {1.0, 1.0, 5.0};
+  io::writeVolume(*volumeOf<std::int16_t>(grid, [](glm::ivec3 index) { return index.z < 20 ? 1000 : -1000; }),
+                  folder_ / "ball.nrrd");
   io::Session session = io::readStudy(ball()).session;
   ASSERT_EQ(session.look.reconstruction, Reconstruction::Auto);
   io::StudyRequest request = saved(session);
