@@ -31,17 +31,17 @@ requires std::is_enum_v<E> std::string textOf(E value) { return wordOf(value).wo
 
 /// What --help says of a setting: its description, unit and default.
 template <class Owner, class Value>
-std::string helpOf(const Setting<Owner, Value>& setting) {
+std::string helpOf(const Setting<Owner, Value>& setting, const Value& otherwise) {
   std::string help = setting.description;
   help[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(help[0])));
   if (*setting.unit) help.append(", in ").append(setting.unit);
   if (std::same_as<Value, glm::dvec3>) help += ", display RGB of 0..1 each";
-  return help + "; default " + textOf(Owner{}.*setting.member);
+  return help + "; default " + textOf(otherwise);
 }
 
 template <class Owner, class Value>
 void addSetting(Command command, const Setting<Owner, Value>& setting, Value& target) {
-  const std::string help = helpOf(setting);
+  const std::string help = helpOf(setting, target);
   if constexpr (std::same_as<Value, bool>)
     addSwitch(command, setting.option, help, target);
   else if constexpr (std::same_as<Value, glm::dvec3>)
@@ -57,13 +57,15 @@ void addSetting(Command command, const Setting<Owner, Value>& setting, Value& ta
 template <class Owner>
 void addPair(Command command, const std::string& name, const std::string& form, const Setting<Owner, double>& first,
              const Setting<Owner, double>& second, Owner& target) {
-  command.add(name, form, helpOf(first) + "; " + helpOf(second), [=, &target](const std::string& text) {
-    const auto numbers = parseNumbers<double, 2>(text, ',');
-    if (!numbers || !first.range.contains((*numbers)[0]) || !second.range.contains((*numbers)[1])) return false;
-    target.*first.member = (*numbers)[0];
-    target.*second.member = (*numbers)[1];
-    return true;
-  });
+  command.add(name, form, helpOf(first, target.*first.member) + "; " + helpOf(second, target.*second.member),
+              [=, &target](const std::string& text) {
+                const auto numbers = parseNumbers<double, 2>(text, ',');
+                if (!numbers || !first.range.contains((*numbers)[0]) || !second.range.contains((*numbers)[1]))
+                  return false;
+                target.*first.member = (*numbers)[0];
+                target.*second.member = (*numbers)[1];
+                return true;
+              });
 }
 
 /// All settings of `target` that have an option.
@@ -103,12 +105,16 @@ void addLookOptions(Command command, io::StudyRequest& request) {
   for (const OpeningLook& each : openingLooks()) looks.append(looks.empty() ? "" : "|").append(each.id);
   command.add(
       "--look", looks + "|FILE.json",
-      "context layer and border ready made, default full; or a preset that was saved, with its transfer function, "
-      "light and all",
+      "context layer and border ready made, default full; bare is without them, and for new data without smoothing, "
+      "occlusion and shadow, too; or a preset that was saved, with its transfer function, light and all",
       [&](const std::string& text) {
         if (std::filesystem::path(text).extension() == ".json") {
           request.preset = io::readLook(text);
           look = restyled(look, request.preset->look);
+          return true;
+        }
+        if (text == "bare") {
+          request.makeBare();
           return true;
         }
         const auto all = openingLooks();

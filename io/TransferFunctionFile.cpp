@@ -22,6 +22,9 @@ constexpr std::string_view presetEnding = ".json";
 
 std::string presetPath(const std::string& id) { return std::string(presetFolder) + id + std::string(presetEnding); }
 
+/// What the values of nodes are.
+enum class Domain : std::uint8_t { Value, Percentile, Uptake };
+
 /// Reads one description; every mistake is an Error that names `source` and says which entry it is.
 class Parser {
  public:
@@ -42,18 +45,19 @@ class Parser {
     return name->get<std::string>();
   }
 
-  bool byPercentile() const {
+  Domain domain() const {
     const auto domain = root_.find("domain");
-    if (domain != root_.end() && *domain == "value") return false;
-    if (domain != root_.end() && *domain == "percentile") return true;
-    fail("\"domain\" is neither \"value\" nor \"percentile\"");
+    for (const auto& [word, meant] :
+         {std::pair("value", Domain::Value), {"percentile", Domain::Percentile}, {"uptake", Domain::Uptake}})
+      if (domain != root_.end() && *domain == word) return meant;
+    fail("\"domain\" is none of \"value\", \"percentile\", \"uptake\"");
   }
 
-  /// Nodes with values as written.
-  TransferFunction function() const {
+  /// Nodes with values as written. `voxel`: the finest spacing, mm.
+  TransferFunction function(double voxel) const {
     const auto nodes = root_.find("nodes");
     if (nodes == root_.end() || !nodes->is_array() || nodes->empty()) fail("\"nodes\" is not a list of nodes");
-    const bool percentile = byPercentile();
+    const bool percentile = domain() == Domain::Percentile;
     TransferFunction result;
     for (const Json& entry : *nodes) {
       const std::string where = "node " + std::to_string(result.nodes.size() + 1) + ": ";
@@ -63,7 +67,8 @@ class Parser {
       if (percentile && (node.value < 0.0 || node.value > 100.0)) fail(where + "a percentile outside 0 to 100");
       if (!result.nodes.empty() && node.value < result.nodes.back().value)
         fail(where + "its value is less than the node's before it");
-      node.properties.extinction = extinctionFromOpacity(fraction(number(entry, "opacity", where), "opacity", where));
+      node.properties.extinction = extinctionFromOpacity(fraction(number(entry, "opacity", where), "opacity", where)) /
+                                   thicknessOf(entry, voxel, where);
       const auto colour = entry.find("colour");
       if (colour == entry.end() || !colour->is_array() || colour->size() != 3)
         fail(where + "\"colour\" is not a list of three numbers");
@@ -78,6 +83,13 @@ class Parser {
   }
 
  private:
+  /// Of the material that an opacity is that of, mm.
+  double thicknessOf(const Json& entry, double voxel, const std::string& where) const {
+    const auto per = entry.find("per");
+    if (per == entry.end() || *per == "mm") return 1.0;
+    if (*per == "voxel") return voxel;
+    fail(where + "\"per\" is neither \"mm\" nor \"voxel\"");
+  }
   [[noreturn]] void fail(const std::string& cause) const {
     throw Error(source_, "not a transfer function: " + cause,
                 "see the presets in resources/transfer-functions for the form");
@@ -116,9 +128,9 @@ std::string readFile(const fs::path& path) {
 }
 
 /// The value distribution of what is not background.
-class TissuePercentiles {
+class TissueDistribution {
  public:
-  explicit TissuePercentiles(const Volume& volume) : values_(sampled(volume)) {
+  explicit TissueDistribution(const Volume& volume) : values_(sampled(volume)) {
     if (!values_.empty()) values_.erase(values_.begin(), values_.begin() + backgroundCount());
   }
 
@@ -128,6 +140,18 @@ class TissuePercentiles {
     const auto below = static_cast<std::size_t>(position);
     const auto above = std::min(below + 1, values_.size() - 1);
     return std::lerp(values_[below], values_[above], position - static_cast<double>(below));
+  }
+
+  double mean() const {
+    double sum = 0.0;
+    for (const double value : values_) sum += value;
+    return values_.empty() ? 0.0 : sum / static_cast<double>(values_.size());
+  }
+  /// Share of the values that are greater, 0..1.
+  double shareAbove(double value) const {
+    if (values_.empty()) return 0.0;
+    return static_cast<double>(values_.end() - std::upper_bound(values_.begin(), values_.end(), value)) /
+           static_cast<double>(values_.size());
   }
 
  private:
@@ -200,17 +224,32 @@ ContextFunction loadContextFunction(const std::string& presetOrPath, const Volum
     context.file = std::filesystem::absolute(presetOrPath);
   else
     context.preset = presetOrPath;
-  context.function = parser.function();
-  if (parser.byPercentile()) {
-    const TissuePercentiles percentiles(volume);
-    for (TransferFunction::Node& node : context.function.nodes) node.value = percentiles.at(node.value);
-  }
+  const glm::dvec3 spacing = volume.grid.spacing;
+  context.function = parser.function(std::min({spacing.x, spacing.y, spacing.z}));
+  if (parser.domain() == Domain::Value) return context;
+  // The mean of a body's standardised uptake value is 1, but for what has left it: that is its definition.
+  const bool isStandardised = parser.domain() == Domain::Uptake && volume.unit == "GML";
+  if (isStandardised) return context;
+  const TissueDistribution tissue(volume);
+  const double one = tissue.mean();
+  for (TransferFunction::Node& node : context.function.nodes)
+    node.value = parser.domain() == Domain::Uptake ? node.value * one : tissue.at(node.value);
   return context;
 }
 
 std::string defaultPreset(const Volume& volume) {
-  // What is not in HU is shown by its own distribution, as an MR is.
-  return volume.isInHounsfieldUnits() ? "ct-soft-tissue" : "mr";
+  if (volume.modality == Modality::PT) return "pet";
+  if (volume.modality == Modality::US) return "ultrasound";
+  if (volume.isInHounsfieldUnits()) return "ct-soft-tissue";
+  // What is in no unit is shown by its own distribution. Fluid, which is what T2 shows bright, is a few per cent of a
+  // body or head or more; vessels with flowing blood are less, and stand out farther.
+  const TissueDistribution tissue(volume);
+  const double median = tissue.at(50.0);
+  if (!(median > 0.0)) return "mr-t1";
+  if (tissue.shareAbove(3.0 * median) > 0.001 && tissue.shareAbove(2.0 * median) < 0.02) return "mr-angio";
+  return tissue.shareAbove(2.0 * median) > 0.06 ? "mr-t2" : "mr-t1";
 }
+
+std::string plainPreset(const Volume& volume) { return volume.isInHounsfieldUnits() ? "ct-plain" : "mr"; }
 
 }  // namespace fenestra::io

@@ -12,6 +12,7 @@
 #include "io/base/OtherContent.h"
 #include "io/base/PlausibleGrid.h"
 #include "io/base/Text.h"
+#include "io/base/Words.h"
 #include "io/dicom/Dicom.h"
 #include "io/dicom/DicomStart.h"
 #include "io/formats/ImageFile.h"
@@ -211,7 +212,8 @@ SeriesInfo describe(const ImageFile& image) {
   SeriesInfo info;
   info.id = image.path.filename().string();
   if (image.modality == Modality::CT) info.modality = "CT";
-  if (image.modality == Modality::MR) info.modality = "MR";
+  if (image.modality != Modality::CT && image.modality != Modality::Unknown)
+    info.modality = wordOf(image.modality).word;
   info.dims = image.grid.dims;
   info.files = image.source.files;
   return info;

@@ -23,14 +23,15 @@ struct PictureStages {
   FaintLayerStage faintLayer{list, starts, occlusion};
   ProtectedLayerStage protectedLayer{list, starts, occlusion};
   ContextLayerStage contextLayer{list, starts};
+  ContextLinesStage lines{list, starts, contextLayer};
   LensStage lens{list, starts};
   WallsInsideStage wallsInside{list, maximum, starts};
-  CompositeStage composite{list, {starts, maximum, wallsInside, faintLayer, protectedLayer, contextLayer, lens}};
+  CompositeStage composite{list, {starts, maximum, wallsInside, faintLayer, protectedLayer, contextLayer, lines, lens}};
   ExemptStage exempt{list, maximum, composite, occlusion};
   WallsAroundStage wallsAround{list, maximum, composite, exempt};
   PixelPicture pixels{maximum, composite, exempt, wallsAround};
   EdgeStage edges{list, pixels, own.hits, starts};
-  EdgeRayStage edgeRays{list, {edges, own, removed, starts, occlusion, protectedLayer}};
+  EdgeRayStage edgeRays{list, {edges, own, removed, starts, occlusion, protectedLayer, lines}};
 };
 
 /// Keeps each stage's images from one picture to the next. Needs a current context.

@@ -33,6 +33,10 @@ const char* nameOf(Modality modality) {
       return "CT";
     case Modality::MR:
       return "MR";
+    case Modality::PT:
+      return "PT";
+    case Modality::US:
+      return "US";
     case Modality::Unknown:
       break;
   }

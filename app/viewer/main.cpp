@@ -80,7 +80,7 @@ struct Request {
   std::optional<Schedule> schedule;                           ///< unset: the faster one
   bool welcomes = false;                                      ///< nothing was asked for: opens nothing
   /// A session or a preset sets all of them, too.
-  bool setsBackground = false, setsUnit = false, setsReconstruction = false;
+  bool setsBackground = false, setsUnit = false;
 
   /// The study as asked for, where nothing was said with the user's own defaults.
   io::StudyRequest studyWith(const Preferences& preferences) const {
@@ -88,7 +88,6 @@ struct Request {
     const Look own = preferences.startingLook(study.look);
     if (!setsBackground) asked.look.background = own.background;
     if (!setsUnit) asked.look.cutaway.unit = own.cutaway.unit;
-    if (!setsReconstruction) asked.look.reconstruction = own.reconstruction;
     return asked;
   }
 };
@@ -135,7 +134,6 @@ std::optional<int> parse(int argc, char** argv, Request& request) {
   const bool hasLook = io::isSession(study.path) || study.preset;
   request.setsBackground = hasLook || options.isGiven("--background");
   request.setsUnit = hasLook || options.isGiven("--width-unit");
-  request.setsReconstruction = hasLook || options.isGiven("--reconstruction");
   request.welcomes = argc <= 1;
   if (study.empty()) study.phantom = "torso";
   if (options.isGiven("--quality") || options.isGiven("--max-error"))

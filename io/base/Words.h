@@ -9,7 +9,11 @@
 namespace fenestra {
 
 constexpr auto wordsOf(Modality) {
-  return std::to_array<Word<Modality>>({{Modality::CT, "CT"}, {Modality::MR, "MR"}, {Modality::Unknown, "other"}});
+  return std::to_array<Word<Modality>>({{Modality::CT, "CT"},
+                                        {Modality::MR, "MR"},
+                                        {Modality::PT, "PT"},
+                                        {Modality::US, "US"},
+                                        {Modality::Unknown, "other"}});
 }
 
 namespace io {

@@ -169,6 +169,8 @@ void addSegmentations(const DicomScan& scan, const DicomStack& stack, OpenedVolu
 Modality modalityNamed(const std::string& name) {
   if (name == "CT") return Modality::CT;
   if (name == "MR") return Modality::MR;
+  if (name == "PT" || name == "NM") return Modality::PT;
+  if (name == "US") return Modality::US;
   return Modality::Unknown;
 }
 

@@ -103,6 +103,8 @@ class Reader {
     const std::string modality = field({"Modality"});
     if (modality == "MET_MOD_CT") image_.modality = Modality::CT;
     if (modality == "MET_MOD_MR") image_.modality = Modality::MR;
+    if (modality == "MET_MOD_NM") image_.modality = Modality::PT;
+    if (modality == "MET_MOD_US") image_.modality = Modality::US;
     readGeometry();
     readEncoding();
     return std::move(image_);

@@ -108,6 +108,9 @@ struct Session {
 
   /// In an automatic copy, the file of the session that it is newer than; empty: there is none, or this is no copy.
   std::filesystem::path autosaveOf;
+  /// Read from a file of before version 3, whose Automatic reconstruction smoothed less; readStudy() makes a choice of
+  /// it that draws as before. Not saved.
+  bool formerAutomatic = false;
   /// Members of the file that this version does not know, as JSON text, to be written back. Empty: none.
   std::string unknown;
 

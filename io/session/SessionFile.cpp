@@ -37,8 +37,11 @@ void fromVersion1(Value& root) {
       }
 }
 
+/// Version 2 had another rule for the Automatic reconstruction, which depends on the data: Session::formerAutomatic.
+void fromVersion2(Value&) {}
+
 /// migrations[i] brings version i + 1 to the next.
-constexpr void (*migrations[])(Value&) = {fromVersion1};
+constexpr void (*migrations[])(Value&) = {fromVersion1, fromVersion2};
 static_assert(std::size(migrations) == sessionVersion - 1);
 
 /// The folder that a session's paths start from, without links, so that ".." means the same as to the system.
@@ -113,6 +116,7 @@ Session readSession(const fs::path& file) {
 
   Session session;
   members(reader, session);
+  session.formerAutomatic = version < 3 && session.look.reconstruction == Reconstruction::Auto;
   if (!reader.has("home"))
     for (std::size_t view = 0; view < session.views.size(); ++view) session.home[view] = session.views[view].camera;
   check(session, reader);

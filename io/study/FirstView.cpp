@@ -66,8 +66,11 @@ void setFrozen(const StudyRequest& request, Study& study) {
   view.frozen = OpeningView{chosen.camera, chosen.size.x > 0 ? chosen.size : view.size, view.pixelScale};
 }
 
-ShownSlices slicesOf(const StudyRequest& request, const Volume& volume) {
+ShownSlices slicesOf(const StudyRequest& request, const Study& study) {
+  const Volume& volume = *study.scene.volume;
   ShownSlices slices = request.slices;
+  // Emission is read in black on white.
+  if (!study.restoresSession && volume.modality == Modality::PT) slices.inverted = true;
   if (!request.windowWidth && !request.windowLevel) return slices;
   WindowLevel window = slices.window ? *slices.window : volume.defaultWindow();
   window.width = request.windowWidth.value_or(window.width);
@@ -83,7 +86,7 @@ void setFirstView(const StudyRequest& request, Study& study) {
   study.view = View{.camera = {}, .size = {960, 720}, .quality = request.quality, .maxError = request.maxError};
   setCamera(request, study);
   setFrozen(request, study);
-  study.view->slices = slicesOf(request, *study.scene.volume);
+  study.view->slices = slicesOf(request, study);
 }
 
 }  // namespace fenestra::io

@@ -73,11 +73,23 @@ void setContext(const StudyRequest& request, Study& study) {
     if (const std::string odd = mismatchOf(*request.preset, scene.volume->unit); !odd.empty())
       study.warnings.push_back({Warning::Kind::Other, odd, {}});
   if (!hasFunction || !request.transferFunction.empty())
-    scene.look.context = loadContextFunction(
-        request.transferFunction.empty() ? defaultPreset(*scene.volume) : request.transferFunction, *scene.volume);
+    scene.look.context =
+        loadContextFunction(request.transferFunction.empty()
+                                ? (request.startsPlain ? plainPreset(*scene.volume) : defaultPreset(*scene.volume))
+                                : request.transferFunction,
+                            *scene.volume);
   if (!scene.look.hideTable) return;
   scene.table = segmentation::tableOf(*scene.volume);
   if (scene.table->count > 0) study.warnings.push_back(tableWarning());
+}
+
+/// What Automatic stood for before version 3 of sessions.
+void keepFormerAutomatic(Study& study) {
+  Look& look = study.scene.look;
+  const bool isOfSession = std::exchange(study.session.formerAutomatic, false);
+  if (!isOfSession || look.reconstruction != Reconstruction::Auto) return;
+  const Reconstruction now = reconstructionOf(Scene{study.scene.volume, nullptr, look});
+  if (now == Reconstruction::Smoother) look.reconstruction = Reconstruction::Smooth;
 }
 
 bool hasVoxels(const LabelMap& labels, const std::vector<std::uint16_t>& wanted) {
@@ -148,6 +160,7 @@ Study openData(const DataRequest& request, const Progress& progress) {
 Study readStudy(const StudyRequest& request, const Progress& progress) {
   Study study = openData(request, progress);
   study.scene.look = request.look;
+  keepFormerAutomatic(study);
   setContext(request, study);
   setFocus(request, study);
   setLabelSettings(request, study.scene);

@@ -1,6 +1,7 @@
 #include "io/study/StudyRequest.h"
 
 #include "io/session/SessionFile.h"
+#include "rendering/settings/LookStyle.h"
 
 namespace fenestra::io {
 
@@ -16,6 +17,19 @@ void StudyRequest::startFrom(Session from) {
   maxError = from.maxError;
   slices = {from.crosshair, from.window, from.inverted};
   session = std::move(from);
+}
+
+void StudyRequest::makePlain() {
+  look = restyled(look, Look{});
+  startsPlain = true;
+}
+
+void StudyRequest::makeBare() {
+  if (!session) makePlain();
+  const Look bare = bareLook();
+  look.contextLayer = bare.contextLayer;
+  look.cutaway.borderWidth = bare.cutaway.borderWidth;
+  look.cutaway.borderColour = bare.cutaway.borderColour;
 }
 
 StudyRequest requestOfSession(const std::filesystem::path& file) {

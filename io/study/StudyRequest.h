@@ -14,6 +14,7 @@
 #include "io/session/Session.h"
 #include "io/study/Study.h"
 #include "rendering/scene/View.h"
+#include "rendering/settings/StartingLook.h"
 
 namespace fenestra::io {
 
@@ -77,7 +78,8 @@ struct ClipChanges {
 
 /// Data, and how to look at them; unset members take what suits the data.
 struct StudyRequest : DataRequest {
-  Look look;  ///< starts as the session's; the members below override its focus, context, clipping and strokes
+  Look look = startingLook();  ///< starts as the session's, where there is one; the members below override its focus,
+                               ///< context, clipping and strokes
   std::vector<std::string> focusLabels;  ///< values or names
   LabelChanges labelChanges;
   ClipChanges clipChanges;
@@ -87,7 +89,8 @@ struct StudyRequest : DataRequest {
   /// For users who can change a session's region: seeds outside the volume are left out of it, and it may come out
   /// empty. Errors otherwise.
   bool acceptsAnyRegion = false;
-  std::string transferFunction;      ///< preset or file; empty: defaultPreset
+  std::string transferFunction;      ///< preset or file; empty: defaultPreset, or plainPreset
+  bool startsPlain = false;          ///< plainPreset takes the place of defaultPreset
   bool startsContextAnew = false;    ///< defaultPreset takes the place of a session's transfer function
   std::filesystem::path strokes;     ///< file of brush strokes; empty: those of the look
   std::optional<LookPreset> preset;  ///< `look` is in its style, and its transfer function stays
@@ -102,6 +105,11 @@ struct StudyRequest : DataRequest {
   ShownSlices slices;                              ///< of walls
   std::optional<double> windowWidth, windowLevel;  ///< in place of those of slices.window
 
+  /// The plain look (Look's initialisers) and preset in place of the starting ones; for measurements.
+  void makePlain();
+  /// The bare look and the plain preset in place of the starting ones. A session keeps its own but for border and
+  /// edges.
+  void makeBare();
   /// Takes over a session's look, sampling and slices, for other choices to override, and opens its data.
   void startFrom(Session from);
 };

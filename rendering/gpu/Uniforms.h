@@ -129,7 +129,8 @@ struct alignas(16) CutawayUniforms {
 struct alignas(16) ContextLayerUniforms {
   static constexpr const char* name = "contextLook";
   glm::vec3 colour;
-  float strength, curvatureWeight, silhouetteWeight, illuminationWeight, valueWeight, curvatureScale;
+  float strength, curvatureWeight, silhouetteWeight, illuminationWeight, valueWeight, curvatureScale, saturation,
+      leastLine;
 };
 
 /// shaders/Walls.comp.

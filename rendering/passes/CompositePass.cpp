@@ -1,19 +1,10 @@
 #include "rendering/passes/CompositePass.h"
 
 #include "rendering/gpu/SceneBinding.h"
+#include "rendering/passes/ContextLinesPass.h"
 
 namespace fenestra {
 namespace {
-
-ContextLayerUniforms uniformsOf(const ContextLayer& layer, const DerivativeVolume& derivative) {
-  return {glm::vec3(layer.colour),
-          static_cast<float>(layer.strength),
-          static_cast<float>(layer.curvatureWeight),
-          static_cast<float>(layer.silhouetteWeight),
-          static_cast<float>(layer.illuminationWeight),
-          static_cast<float>(layer.valueWeight),
-          static_cast<float>(derivative.spacing)};
-}
 
 gl::Choice faintChoice(const MethodStages& method, bool isFaint) {
   if (!isFaint) return {"faint", "lib/faint/None.glsl"};
@@ -72,7 +63,7 @@ void CompositePass::run(Steps& steps, const GpuScene& gpu, const Inputs& inputs,
     if (hasLayer) {
       program.bind("contextLayer", *inputs.contextLayer);
       program.bind("silhouette", *inputs.silhouette);
-      program.set(uniformsOf(look.contextLayer, gpu.derivative()));
+      program.set(uniformsOf(look.contextLayer, gpu.derivative(), inputs.leastLine));
       bindTransfer(gpu, program);
     }
     program.bind("picture", picture, gl::Access::Write);

@@ -21,6 +21,7 @@ class CompositePass {
     glm::dvec2 widths;                          ///< w_open, w_border in rendered pixels
     const gl::Texture* contextLayer = nullptr;  ///< with silhouette
     const gl::Texture* silhouette = nullptr;
+    double leastLine = -1.0;                      ///< ContextLinesPass::leastStrength()
     const gl::Texture* editMap = nullptr;         ///< of brush strokes
     const gl::Texture* protectedLayer = nullptr;  ///< in front of the focus layer
     const gl::Texture* faintLayer = nullptr;      ///< all that is removed, between the two, as stagesOf() has it

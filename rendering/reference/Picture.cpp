@@ -12,6 +12,7 @@
 #include "rendering/reference/Strokes.h"
 #include "rendering/reference/Unknown.h"
 #include "rendering/reference/Walls.h"
+#include "rendering/scene/ContextLines.h"
 #include "rendering/scene/EdgeRays.h"
 #include "rendering/scene/Edges.h"
 #include "rendering/scene/Explosion.h"
@@ -46,6 +47,7 @@ struct Frame {
   const Occlusion* occlusion;
   double tolerance;
   const ShownSlices& slices;
+  double leastLine = lines::all;  ///< strength of the weakest of the context's edges that show
   bool hasBorder() const {
     return pixels && scene.look.cutaway.borderWidth > 0.0 && stagesOf(scene.look.method).hasBorder;
   }
@@ -189,17 +191,50 @@ std::vector<glm::dvec4> wallsOn(const Frame& frame, const Rays& rays, WallPlacem
   return wallColours(frame.scene, frame.camera, frame.size, frame.slices, seen);
 }
 
+/// Curvature as a number without a unit.
+double bendOf(const ContextPoint& point, double scale) {
+  return std::sqrt(0.5 * (point.k1 * point.k1 + point.k2 * point.k2)) * scale;
+}
+
+double strengthOf(const ContextLayer& look, const ContextPoint& point, double scale) {
+  return lines::strength(look.curvatureWeight, look.silhouetteWeight, bendOf(point, scale), point.silhouette);
+}
+
 /// Opacity of the context layer: both terms rise steeply, so that edges come out as lines. `factor` is the brush's.
-double contextOpacity(const ContextLayer& look, const ContextPoint& point, double scale, double factor) {
-  const double bend = std::sqrt(0.5 * (point.k1 * point.k1 + point.k2 * point.k2)) * scale;
-  const double opacity = look.curvatureWeight * smoothstep(0.10, 0.40, bend) +
+double contextOpacity(const ContextLayer& look, const ContextPoint& point, double scale, double factor,
+                      double leastLine) {
+  const double opacity = look.curvatureWeight * smoothstep(0.10, 0.40, bendOf(point, scale)) +
                          look.silhouetteWeight * smoothstep(0.30, 0.85, point.silhouette);
-  return std::min(look.strength * std::clamp(opacity, 0.0, 1.0) * factor, 1.0);
+  const double shown = smoothstep(leastLine, leastLine + lines::fade, strengthOf(look, point, scale));
+  return std::min(look.strength * std::clamp(opacity, 0.0, 1.0) * shown * factor, 1.0);
 }
 
 glm::dvec3 contextColour(const ContextLayer& look, const TransferFunction& context, const ContextPoint& point) {
-  return glm::mix(look.colour, context.evaluate(point.value).colour, look.valueWeight) *
+  const glm::dvec3 own = context.evaluate(point.value).colour;
+  // Luminance after ITU-R BT.709.
+  const glm::dvec3 grey(glm::dot(own, glm::dvec3(0.2126, 0.7152, 0.0722)));
+  return glm::mix(look.colour, glm::mix(grey, own, look.saturation), look.valueWeight) *
          glm::mix(1.0, point.illumination, look.illuminationWeight);
+}
+
+/// Strength of the weakest edge that shows in a picture, as rendering/scene/ContextLines.h has it.
+double leastLineOf(const Scene& scene, const Camera& camera, glm::ivec2 size, const HitPoints& hits) {
+  const ContextLayer& look = scene.look.contextLayer;
+  if (!(look.strength > 0.0) || look.share >= 1.0) return lines::all;
+  std::vector<Ray> rays;
+  Image tContext, tFocus;
+  for (int j = 0; j < size.y; ++j)
+    for (int i = 0; i < size.x; ++i)
+      if (const std::size_t at = offset(size, {i, j}); !std::isnan(hits.tFocus[at])) {
+        rays.push_back(pixelRay(camera, size, {i, j}));
+        tContext.push_back(hits.tContext[at]);
+        tFocus.push_back(hits.tFocus[at]);
+      }
+  const double scale = derivativeSpacing(scene.volume->grid);
+  std::vector<std::uint32_t> counts(lines::bins, 0);
+  for (const auto& point : contextLayer(scene, camera, rays, tContext, tFocus))
+    if (point) ++counts[lines::binOf(strengthOf(look, *point, scale))];
+  return lines::leastStrength(counts, static_cast<std::uint32_t>(rays.size()), look.share);
 }
 
 /// Share of a box across the line around the opening that w_open < DM ≤ w_open + w_border covers.
@@ -231,7 +266,7 @@ void addContextLayer(const Frame& frame, const Rays& rays, const std::vector<Cut
     picture.silhouette.push_back(point ? point->silhouette : unknown);
     if (!point) continue;
     const glm::dvec4 surface(contextColour(look, context, *point), 1.0);
-    double opacity = contextOpacity(look, *point, scale, rays.factor(i));
+    double opacity = contextOpacity(look, *point, scale, rays.factor(i), frame.leastLine);
     if (!lens.empty()) opacity *= 1.0 - lens[i].share;
     picture.final[i] = over(surface * opacity, picture.final[i]);
   }
@@ -443,7 +478,8 @@ Picture picture(const Scene& scene, const Camera& camera, glm::ivec2 size, const
               {},
               occlusion ? &*occlusion : nullptr,
               options.tolerance,
-              options.slices};
+              options.slices,
+              cutaway ? leastLineOf(scene, camera, size, stages.hits) : lines::all};
   Image distance;
   if (frame.hasBorder()) {
     frame.widths = stages.apart ? stages.apart->widths : widthsInPixels(scene, camera, size, options.pixelScale);

@@ -1,6 +1,7 @@
 #include "rendering/scene/FocusCells.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "rendering/volume/Threads.h"
 
@@ -9,29 +10,54 @@ namespace {
 
 constexpr std::uint8_t inactive = 0, kept = 1, unvisited = 2, dropped = 3;
 
-std::vector<std::uint8_t> activeCells(const ShownVolume& shown, ValueRange range, const Grid& cells) {
-  const glm::ivec3 last = shown.volume->grid.dims - 1;
-  std::vector<std::uint8_t> state(cells.voxelCount(), inactive);
+/// What a cell asks of its corners.
+enum Corner : std::uint8_t { notAbove = 1, notBelow = 2, isNumber = 4, isGone = 8 };
+
+/// Corner flags of each voxel.
+std::vector<std::uint8_t> cornersOf(const ShownVolume& shown, ValueRange range) {
+  const Grid& grid = shown.volume->grid;
+  std::vector<std::uint8_t> corners(grid.voxelCount());
   const ShownVoxels voxels(shown);
   const bool avoidsGone = shown.removed && voxels.air() >= range.low && voxels.air() <= range.high;
   withValues(shown, [&](auto valueAt) {
-    parallelFor(static_cast<std::size_t>(cells.dims.z), 1, [&](std::size_t begin, std::size_t end) {
+    parallelFor(static_cast<std::size_t>(grid.dims.z), 1, [&](std::size_t begin, std::size_t end) {
       for (int z = static_cast<int>(begin); z < static_cast<int>(end); ++z)
-        for (int y = 0; y < cells.dims.y; ++y)
-          for (int x = 0; x < cells.dims.x; ++x) {
-            double least = valueAt({x, y, z}), greatest = least;
-            bool isWhole = true;
-            for (int corner = 0; corner < 8; ++corner) {
-              const glm::ivec3 step(corner & 1, (corner >> 1) & 1, corner >> 2);
-              const glm::ivec3 voxel = glm::min(glm::ivec3(x, y, z) + step, last);
-              const double value = valueAt(voxel);
-              least = std::min(least, value);
-              greatest = std::max(greatest, value);
-              isWhole = isWhole && !(avoidsGone && voxels.isGone(voxel));
-            }
-            if (isWhole && least <= range.high && greatest >= range.low) state[cells.offset({x, y, z})] = unvisited;
+        for (int y = 0; y < grid.dims.y; ++y) {
+          std::uint8_t* row = corners.data() + grid.offset({0, y, z});
+          for (int x = 0; x < grid.dims.x; ++x) {
+            const glm::ivec3 voxel(x, y, z);
+            const double value = valueAt(voxel);
+            row[x] = static_cast<std::uint8_t>(
+                (value <= range.high ? notAbove : 0) | (value >= range.low ? notBelow : 0) |
+                (std::isnan(value) ? 0 : isNumber) | (avoidsGone && voxels.isGone(voxel) ? isGone : 0));
           }
+        }
     });
+  });
+  return corners;
+}
+
+std::vector<std::uint8_t> activeCells(const ShownVolume& shown, ValueRange range, const Grid& cells) {
+  const Grid& grid = shown.volume->grid;
+  const glm::ivec3 last = grid.dims - 1;
+  const std::vector<std::uint8_t> corners = cornersOf(shown, range);
+  std::vector<std::uint8_t> state(cells.voxelCount(), inactive);
+  constexpr int wanted = notAbove | notBelow;
+  parallelFor(static_cast<std::size_t>(cells.dims.z), 1, [&](std::size_t begin, std::size_t end) {
+    for (int z = static_cast<int>(begin); z < static_cast<int>(end); ++z)
+      for (int y = 0; y < cells.dims.y; ++y) {
+        const int above = std::min(y + 1, last.y), behind = std::min(z + 1, last.z);
+        const std::uint8_t* rows[4] = {
+            corners.data() + grid.offset({0, y, z}), corners.data() + grid.offset({0, above, z}),
+            corners.data() + grid.offset({0, y, behind}), corners.data() + grid.offset({0, above, behind})};
+        const auto across = [&](int x) { return rows[0][x] | rows[1][x] | rows[2][x] | rows[3][x]; };
+        std::uint8_t* row = state.data() + cells.offset({0, y, z});
+        for (int x = 0; x < cells.dims.x; ++x) {
+          const int any = across(x) | across(std::min(x + 1, last.x));
+          // A cell whose first corner is no number is none, as in hitPoints().
+          if ((any & (wanted | isGone)) == wanted && (rows[0][x] & isNumber)) row[x] = unvisited;
+        }
+      }
   });
   return state;
 }
@@ -73,21 +99,20 @@ FocusCells focusCells(const ShownVolume& shown, const ValueFocus& focus) {
     state[cells.offset(cell)] = kept;
     component.push_back(cell);
   };
-  glm::ivec3 seed;
-  for (seed.z = 0; seed.z < cells.dims.z; ++seed.z)
-    for (seed.y = 0; seed.y < cells.dims.y; ++seed.y)
-      for (seed.x = 0; seed.x < cells.dims.x; ++seed.x) {
-        component.clear();
-        visit(seed);
-        for (std::size_t next = 0; next < component.size(); ++next) {
-          const glm::ivec3 cell = component[next];
-          for (int z = -1; z <= 1; ++z)
-            for (int y = -1; y <= 1; ++y)
-              for (int x = -1; x <= 1; ++x) visit(cell + glm::ivec3(x, y, z));
-        }
-        if (static_cast<double>(component.size()) * cellVolume < focus.minimumComponent)
-          for (const glm::ivec3& cell : component) state[cells.offset(cell)] = dropped;
-      }
+  const auto across = static_cast<std::size_t>(cells.dims.x), down = static_cast<std::size_t>(cells.dims.y);
+  for (std::size_t at = 0; at < state.size(); ++at) {
+    if (state[at] != unvisited) continue;
+    component.clear();
+    visit({at % across, at / across % down, at / (across * down)});
+    for (std::size_t next = 0; next < component.size(); ++next) {
+      const glm::ivec3 cell = component[next];
+      for (int z = -1; z <= 1; ++z)
+        for (int y = -1; y <= 1; ++y)
+          for (int x = -1; x <= 1; ++x) visit(cell + glm::ivec3(x, y, z));
+    }
+    if (static_cast<double>(component.size()) * cellVolume < focus.minimumComponent)
+      for (const glm::ivec3& cell : component) state[cells.offset(cell)] = dropped;
+  }
   if (shown.reconstruction != Reconstruction::Linear) widen(state, cells);
   std::replace(state.begin(), state.end(), dropped, inactive);
   return {cells.dims, std::move(state)};

@@ -41,8 +41,12 @@ Reconstruction reconstructionOf(const Scene& scene) {
   if (scene.look.reconstruction != Reconstruction::Auto || !scene.volume) return scene.look.reconstruction;
   const Grid& grid = scene.volume->grid;
   const double pixel = 2.0 * grid.boundingRadius() / pixelsAcrossVolume;
-  const bool coarse = std::max({grid.spacing.x, grid.spacing.y, grid.spacing.z}) > pixel;
-  return coarse && grid.voxelCount() <= mostSplineVoxels ? Reconstruction::Smooth : Reconstruction::Linear;
+  const glm::dvec3 spacing = grid.spacing;
+  const double widest = std::max({spacing.x, spacing.y, spacing.z});
+  if (!(widest > pixel) || grid.voxelCount() > mostSplineVoxels) return Reconstruction::Linear;
+  const bool isSharp =
+      scene.volume->isInHounsfieldUnits() || widest > thickSlices * std::min({spacing.x, spacing.y, spacing.z});
+  return isSharp && widest > pixelsOfTerraces * pixel ? Reconstruction::Smoother : Reconstruction::Smooth;
 }
 
 const std::shared_ptr<const LabelMap>& structuresOf(const Scene& scene) {

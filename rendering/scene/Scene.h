@@ -29,13 +29,17 @@ struct Scene {
 ShownVolume shownVolume(const Scene& scene);
 
 /// The look's reconstruction. Auto stands for Smooth where the voxels are wider than the pixels of a picture of the
-/// whole volume and mostSplineVoxels at most, else for Linear. It does not depend on the camera, so that pictures do
-/// not change their kind.
+/// whole volume and mostSplineVoxels at most, for Smoother where they are wider than pixelsOfTerraces of them and the
+/// data change more sharply than the voxels, else for Linear. It does not depend on the camera, so that pictures do not
+/// change their kind.
 Reconstruction reconstructionOf(const Scene& scene);
 /// Some 180³. On the device a lit voxel of a spline takes up to 190 bytes, so these take about 1 GiB.
 inline constexpr std::size_t mostSplineVoxels = 5'800'000;
 /// Pixels across the diagonal of a volume in that picture, a small one: the surface of finer voxels shows no terraces.
 inline constexpr double pixelsAcrossVolume = 500.0;
+/// Smooth leaves terraces that wide where a step is sharper than the voxels: on the skin in CT, and along thick slices,
+/// which are so many times as thick as their pixels are wide.
+inline constexpr double pixelsOfTerraces = 2.0, thickSlices = 3.0;
 
 /// The label map that look.labels is about.
 const std::shared_ptr<const LabelMap>& structuresOf(const Scene& scene);

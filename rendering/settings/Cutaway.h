@@ -35,6 +35,8 @@ struct ContextLayer {
   double silhouetteWeight = 1.0;        ///< opacity of the term (1 - |n·v|)
   double illuminationWeight = 1.0;      ///< 0..1: from the flat colour to the colour as the surface is lit
   double valueWeight = 0.0;             ///< 0..1: from `colour` to the context's own, by its transfer function's value
+  double saturation = 1.0;              ///< 0..1: of the context's own colour; 0 is its luminance
+  double share = 1.0;                   ///< 0..1: of the focus's projection, at most; see ContextLines.h
   glm::dvec3 colour{0.42, 0.70, 0.90};  ///< display RGB
   bool operator==(const ContextLayer&) const = default;
 };
@@ -49,7 +51,7 @@ struct OpeningLook {
   /// Leaves the rest of the cutaway as it is.
   void applyTo(Cutaway& cutaway, ContextLayer& layer) const;
 };
-/// full, a scene's default; bare (A and B: the cut alone); context (C); border (D).
+/// full, a new scene's; bare (A and B: the cut alone); context (C); border (D).
 std::span<const OpeningLook> openingLooks();
 
 }  // namespace fenestra

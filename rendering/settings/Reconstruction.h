@@ -11,8 +11,8 @@ enum class Reconstruction : std::uint8_t {
   Smooth,  ///< the tricubic B-spline over the values, which smooths them
   /// Smooth, over means of the values: the skin in CT of 3 mm shows no terraces any more, but thin structures fade.
   Smoother,
-  /// Smooth where a volume is coarse and small enough, see reconstructionOf(); else Linear. Not Cubic: it keeps the
-  /// noise of a scan, and rings at edges that are sharper than the voxels, as the skin is in coarse CT.
+  /// Smooth or Smoother where a volume is coarse and small enough, see reconstructionOf(); else Linear. Not Cubic: it
+  /// keeps the noise of a scan, and rings at edges that are sharper than the voxels, as the skin is in coarse CT.
   Auto
 };
 

@@ -1,7 +1,8 @@
 #pragma once
 // Declares every setting of a look once, but those of the methods, which rendering/methods has: its name in files, on
-// the command line and in the window, its meaning and its range. A setting's default is its member's initialiser. Session files and their published schema, the options of the
-// command line and the controls of the window are made from these tables.
+// the command line and in the window, its meaning and its range. A setting's initialiser is what a file without it
+// means; what a new scene starts with is startingLook() of StartingLook.h. Session files and their published schema,
+// the options of the command line and the controls of the window are made from these tables.
 
 #include <tuple>
 
@@ -96,6 +97,19 @@ inline constexpr std::tuple settingsOf<ContextLayer>{
                                          .description = "How much the edges take the context's own colour",
                                          .range = fraction,
                                          .step = 0.05}),
+    Setting(&ContextLayer::saturation, {.key = "saturation",
+                                        .option = "--context-saturation",
+                                        .name = "Saturation",
+                                        .description = "How saturated the context's own colour is in its edges",
+                                        .range = fraction,
+                                        .step = 0.05}),
+    Setting(&ContextLayer::share,
+            {.key = "share",
+             .option = "--context-share",
+             .name = "Share",
+             .description = "How much of the focus the edges may cover at most: the strongest stay; 1 keeps all",
+             .range = fraction,
+             .step = 0.01}),
     Setting(&ContextLayer::colour, {.key = "colour",
                                     .option = "--context-colour",
                                     .name = "Colour",

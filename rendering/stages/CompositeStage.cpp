@@ -24,7 +24,8 @@ CompositeKey CompositeStage::keyOf(const Frame& frame) const {
           .method = frame.method,
           .widths = frame.widths(),
           .borderColour = look.cutaway.borderColour,
-          .look = look.contextLayer};
+          .look = look.contextLayer,
+          .leastLine = layers_.lines.leastStrength()};
 }
 
 CompositePass::Inputs CompositeStage::inputs(const Frame& frame) const {
@@ -34,6 +35,7 @@ CompositePass::Inputs CompositeStage::inputs(const Frame& frame) const {
           .widths = frame.widths(),
           .contextLayer = layers_.context.layer().orNull(),
           .silhouette = layers_.context.silhouette().orNull(),
+          .leastLine = layers_.lines.leastStrength(),
           .editMap = layers_.starts.edits().orNull(),
           .protectedLayer = layers_.protectedLabels.layer().orNull(),
           .faintLayer = layers_.faint.layer().orNull(),

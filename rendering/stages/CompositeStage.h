@@ -2,7 +2,7 @@
 // Stage 7: the picture of an opening from its layers.
 
 #include "rendering/passes/CompositePass.h"
-#include "rendering/stages/ContextLayerStage.h"
+#include "rendering/stages/ContextLinesStage.h"
 #include "rendering/stages/KeptLayerStages.h"
 #include "rendering/stages/LensStage.h"
 #include "rendering/stages/WallsInsideStage.h"
@@ -18,6 +18,7 @@ struct CompositeKey {
   glm::dvec2 widths;
   glm::dvec3 borderColour;
   ContextLayer look;
+  double leastLine;
   bool operator==(const CompositeKey&) const = default;
 
   /// Whether both lay something over the same picture.
@@ -39,6 +40,7 @@ class CompositeStage : public KeyedStage<CompositeKey> {
     const FaintLayerStage& faint;
     const ProtectedLayerStage& protectedLabels;
     const ContextLayerStage& context;
+    const ContextLinesStage& lines;
     const LensStage& lens;
   };
   CompositeStage(StageList& list, const Layers& layers);

@@ -127,6 +127,7 @@ void EdgeRayStage::addComposite(const Frame& frame, Steps& steps, const Batch& b
                           sized(silhouette_, gl::Format::R32F, batch.size));
     inputs.contextLayer = &contextLayer_;
     inputs.silhouette = &silhouette_;
+    inputs.leastLine = inputs_.lines.leastStrength();
   }
   compositePass_.run(steps, gpu(), inputs, frame.look(), regions, sized(composed_, gl::Format::RGBA32F, batch.size));
 }

@@ -24,6 +24,7 @@ class EdgeRayStage : public KeyedStage<EdgeRayKey> {
     const PictureStarts& starts;
     const OcclusionStage& occlusion;
     const ProtectedLayerStage& protectedLabels;
+    const ContextLinesStage& lines;
   };
   EdgeRayStage(StageList& list, const Inputs& inputs);
   bool isUsed(const Frame& frame) const override { return inputs_.edges.isUsed(frame); }

@@ -22,6 +22,7 @@ enum class Pass : std::uint8_t {
   FaintLayer,
   ProtectedLayer,
   ContextLayer,
+  ContextLines,
   Lens,
   Walls,
   Composite,

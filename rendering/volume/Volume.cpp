@@ -50,7 +50,7 @@ void Volume::computeRange() {
 }
 
 bool Volume::isInHounsfieldUnits() const {
-  if (modality == Modality::MR) return false;
+  if (modality != Modality::CT && modality != Modality::Unknown) return false;
   const bool spansAirAndBone = range.low <= -300.0 && range.low >= -10000.0 && range.high >= 150.0;
   return (unit == "HU" && range.low < 0.0) || spansAirAndBone;
 }

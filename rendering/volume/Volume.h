@@ -25,7 +25,8 @@ struct WindowLevel {
   bool operator==(const WindowLevel&) const = default;
 };
 
-enum class Modality : std::uint8_t { Unknown, CT, MR };
+/// PT: emission, of PET or SPECT. US: ultrasound.
+enum class Modality : std::uint8_t { Unknown, CT, MR, PT, US };
 
 /// Trilinear between valueAt(voxel), at a continuous index position clamped to the edge.
 template <class ValueAt>

@@ -38,6 +38,7 @@ double median(std::vector<double> values) {
 void measure(BrushMode mode, const std::string& name) {
   io::StudyRequest options;
   options.phantom = "torso";
+  options.makePlain();
   io::Study study = io::readStudy(options);
   Scene scene = study.drawn.scene();
   View view = *study.view;

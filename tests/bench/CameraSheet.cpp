@@ -54,6 +54,7 @@ std::vector<Row> rowsOf(const std::string& part) {
     request.path = tests::findTestData(image);
     request.labels = tests::findTestData(labels);
     request.focusLabels = std::move(focus);
+    request.makePlain();
     request.look.background = glm::dvec3(0.05, 0.055, 0.07);
     if (request.path.empty() || request.labels.empty())
       std::cerr << "left out: " << name << ", which needs " << image.string() << '\n';

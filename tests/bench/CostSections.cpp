@@ -28,6 +28,7 @@ std::string mebibytes(std::size_t bytes) { return fixed(static_cast<double>(byte
 io::Study phantomScene(const Options& options) {
   io::StudyRequest scene;
   scene.phantom = "torso";
+  scene.makePlain();
   scene.phantomVoxels = options.views.phantomVoxels;
   return io::readStudy(scene);
 }

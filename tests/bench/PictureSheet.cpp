@@ -7,6 +7,7 @@
 // soft shadow.
 // look: reconstruction, smooth surfaces of labels, occlusion and soft shadow, one by one and together.
 // methods: every method at its defaults.
+// defaults: what data open with, beside the plain look.
 
 #include <algorithm>
 #include <filesystem>
@@ -51,6 +52,7 @@ struct Row {
 struct Column {
   std::string name, caption;
   std::function<void(Look&)> apply;
+  bool startsPlain = true;  ///< from the plain look, not from what the data open with
 };
 
 struct Sheet {
@@ -63,6 +65,10 @@ struct Sheet {
 /// Collects rows; leaves out those whose data is not there, and says so.
 class Rows {
  public:
+  /// The look that the rows' data open in.
+  enum class Start { Plain, AsUsual };
+  explicit Rows(Start start = Start::Plain) : start_(start) {}
+
   void phantom(const std::string& name, const std::string& caption) {
     io::StudyRequest options;
     options.phantom = name;
@@ -88,11 +94,20 @@ class Rows {
     add({name, caption, std::move(options), zoom, raise});
   }
 
+  void whole(const std::string& name, const std::string& caption, const fs::path& path, io::ViewAngles camera) {
+    io::StudyRequest options;
+    options.path = tests::findTestData(path);
+    options.camera = camera;
+    if (options.path.empty()) return leaveOut(caption, path);
+    add({name, caption, std::move(options)});
+  }
+
   Row* last(const std::string& name) { return !rows_.empty() && rows_.back().name == name ? &rows_.back() : nullptr; }
   std::vector<Row> take() { return std::move(rows_); }
 
  private:
   void add(Row row) {
+    if (start_ == Start::Plain) row.options.makePlain();
     row.options.look.background = glm::dvec3(0.05, 0.055, 0.07);
     rows_.push_back(std::move(row));
   }
@@ -100,6 +115,7 @@ class Rows {
     std::cerr << "left out: " << caption << ", which needs " << path.string() << '\n';
   }
 
+  Start start_;
   std::vector<Row> rows_;
 };
 
@@ -209,9 +225,43 @@ PeelSide sideTowards(const Camera& camera) {
   return towards.y > 0.0 ? PeelSide::Posterior : PeelSide::Anterior;
 }
 
+Sheet defaultsSheet() {
+  Rows rows(Rows::Start::AsUsual);
+  rows.phantom("phantom", "Phantom: organs");
+  const fs::path archive = "visible-human/VHMCT1mm_Head.tar.xz";
+  rows.ranged("vhm", "CT head, 1 mm: skull", archive, {300.0, 3000.0}, {55.0, 5.0}, 1.0);
+  if (Row* row = rows.last("vhm")) row->options.path = tests::unpackTestData(archive, archive.stem().stem());
+  rows.ranged("head", "CT head, not in HU", headCt, {0.6, 1.0}, {55.0, 5.0}, 1.0);
+  rows.labelled("torso", "CT torso, 3 mm", torsoCt, torsoLabels, {"2", "3"}, {180.0, 10.0}, 1.0);
+  rows.labelled("kidney", "CT torso: kidney", torsoCt, torsoLabels, {"2"}, {150.0, 5.0}, 1.0);
+  rows.labelled("chest", "CT chest, 10 mm", chestCt, chestLabels, {"right lung", "left lung"}, {25.0, 10.0}, 1.0);
+  rows.labelled("lung", "CT lung, 2.5 mm", "labelled/elastix-lung/3DCT_lung.mha",
+                "labelled/elastix-lung/3DCT_lung_baseline_mask.mha", {"1"}, {0.0, 0.0}, 1.0);
+  rows.labelled("brain", "MR T1: hippocampus", brainMr, brainLabels, {"37", "38"}, {90.0, 20.0}, 1.0);
+  rows.whole("mr", "MR head, 5 mm", "visible-human/vm_head_mri.mha", {40.0, 10.0});
+  const auto body = [&](const std::string& region, std::vector<std::string> focus, io::ViewAngles camera) {
+    const std::string start = "labelled/bodyparts3d/" + region + "/" + region;
+    rows.labelled("bodyparts-" + region, "BodyParts3D: " + region, start + "_ct.nii.gz", start + "_seg.nii.gz",
+                  std::move(focus), camera, 1.0);
+  };
+  body("hand", {"120", "121"}, {0.0, 0.0});
+  body("foot", {"119", "120"}, {60.0, 10.0});
+  body("head", {"135", "137"}, {60.0, 5.0});
+  body("torso", {"2", "3", "52"}, {20.0, 5.0});
+  rows.ranged("ge", "CT, uneven slices", "dicom/ct-tilt-irregular-ge", {300.0, 3000.0}, {40.0, 10.0}, 1.0);
+  return {rows.take(), {{"before", "Plain", [](Look&) {}}, {"after", "As data open", [](Look&) {}, false}}, {260, 242}};
+}
+
 /// One row's pictures, from left to right.
 std::vector<QImage> drawn(const Row& row, const Sheet& sheet) {
-  const io::Study study = io::readStudy(row.options);
+  const bool hasBoth =
+      std::any_of(sheet.columns.begin(), sheet.columns.end(), [](const Column& column) { return !column.startsPlain; });
+  io::StudyRequest plainly = row.options;
+  if (hasBoth) {
+    plainly.makePlain();
+    plainly.look.background = row.options.look.background;
+  }
+  const io::Study study = io::readStudy(plainly), starting = hasBoth ? io::readStudy(row.options) : study;
   View view = *study.view;
   view.camera = view.camera.zoomed(row.zoom).panned(0.0, row.raise);
   view.size = finer * glm::ivec2(sheet.cell.width(), sheet.cell.height());
@@ -220,7 +270,7 @@ std::vector<QImage> drawn(const Row& row, const Sheet& sheet) {
   Renderer renderer(std::make_shared<GpuScene>());
   std::vector<QImage> pictures;
   for (const Column& column : sheet.columns) {
-    Scene scene = study.drawn.scene();
+    Scene scene = (column.startsPlain ? study : starting).drawn.scene();
     column.apply(scene.look);
     scene.look.method.of<methods::Peel>().side = sideTowards(view.camera);
     renderer.render(scene, view);
@@ -274,7 +324,7 @@ void draw(const Sheet& sheet, const fs::path& output, const fs::path& folder) {
 int main(int argc, char** argv) {
   CLI::App program{"Draws scenes in several ways on one sheet.", "picture-sheet"};
   std::string sheet, output, folder;
-  program.add_option("SHEET", sheet)->required()->check(CLI::IsMember({"figures", "look", "methods"}));
+  program.add_option("SHEET", sheet)->required()->check(CLI::IsMember({"figures", "look", "methods", "defaults"}));
   program.add_option("OUT", output, "PNG")->required();
   program.add_option("FOLDER", folder, "where every picture also goes by itself");
   CLI11_PARSE(program, argc, argv);
@@ -283,7 +333,11 @@ int main(int argc, char** argv) {
   const QGuiApplication application(argc, argv);
   try {
     using namespace fenestra;
-    draw(sheet == "figures" ? figureSheet() : sheet == "look" ? lookSheet() : methodSheet(), output, folder);
+    draw(sheet == "figures"    ? figureSheet()
+         : sheet == "look"     ? lookSheet()
+         : sheet == "defaults" ? defaultsSheet()
+                               : methodSheet(),
+         output, folder);
   } catch (const std::exception& error) {
     std::cerr << "picture-sheet: " << error.what() << '\n';
     return 1;

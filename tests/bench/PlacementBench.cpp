@@ -238,6 +238,7 @@ struct Scaled {
 Scaled measureScaled(int voxels) {
   io::StudyRequest options;
   options.phantom = "torso";
+  options.makePlain();
   options.phantomVoxels = voxels;
   const io::Study study = io::readStudy(options);
   GpuScene gpu;

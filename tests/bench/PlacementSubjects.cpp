@@ -11,6 +11,7 @@ std::vector<Structure> structures() {
   std::vector<Structure> list;
   const auto phantom = [&](const std::string& name, const std::string& body, std::vector<std::string> labels) {
     io::StudyRequest scene;
+    scene.makePlain();
     scene.phantom = body;
     scene.focusLabels = std::move(labels);
     list.push_back({name, scene, true});
@@ -18,6 +19,7 @@ std::vector<Structure> structures() {
   const auto labelled = [&](const std::string& name, const std::string& image, const std::string& labels,
                             std::vector<std::string> focus) {
     io::StudyRequest scene;
+    scene.makePlain();
     scene.path = tests::findTestData(image);
     scene.labels = tests::findTestData(labels);
     scene.focusLabels = std::move(focus);
@@ -28,6 +30,7 @@ std::vector<Structure> structures() {
   };
   const auto ranged = [&](const std::string& name, const std::filesystem::path& image, ValueRange range) {
     io::StudyRequest scene;
+    scene.makePlain();
     scene.path = image;
     scene.focusRange = range;
     if (image.empty())

@@ -17,6 +17,7 @@ class List {
     Subject subject{id, name, {}};
     subject.options.phantom = body;
     subject.options.phantomVoxels = views_.phantomVoxels;
+    subject.options.makePlain();
     if (id.starts_with(views_.only)) subjects_.here.push_back(std::move(subject));
   }
   void labelled(const std::string& id, const std::string& name, const fs::path& image, const fs::path& labels,
@@ -48,6 +49,7 @@ class List {
  private:
   void add(Subject subject, const fs::path& image) {
     if (!subject.id.starts_with(views_.only)) return;
+    subject.options.makePlain();
     if (subject.options.path.empty())
       subjects_.missing.push_back(subject.name + ": left out, needs the test-data file " + image.string());
     else

@@ -103,7 +103,7 @@ TEST_F(CommandLine, OptionsOfSettingsAreAsDeclared) {
   check(Shading{});
   check(ValueFocus{});
   check(Look{});
-  EXPECT_EQ(options, 58);
+  EXPECT_EQ(options, 60);
   EXPECT_TRUE(nothingLeftBehind());
 }
 

@@ -49,7 +49,7 @@ std::string causeOf(const std::string& text) {
 
 TEST(TransferFunctionFile, EveryPresetLoads) {
   const auto presets = transferFunctionPresets();
-  ASSERT_EQ(presets.size(), 7u);
+  ASSERT_EQ(presets.size(), 13u);
   for (const TransferFunctionPreset& preset : presets) {
     EXPECT_FALSE(preset.name.empty());
     const TransferFunction function = loadContextFunction(preset.id, ct()).function;
@@ -126,18 +126,65 @@ TEST(TransferFunctionFile, UnknownNameListsThePresets) {
     loadContextFunction("ct-bones", ct());
     FAIL() << "an unknown preset was accepted";
   } catch (const Error& error) {
-    EXPECT_EQ(error.hint(), "the presets are ct-angio, ct-bone, ct-lung, ct-skin, ct-soft-tissue, mr, mr-bright");
+    EXPECT_EQ(error.hint(),
+              "the presets are ct-angio, ct-bone, ct-lung, ct-plain, ct-skin, ct-soft-tissue, mr, mr-angio, mr-bright, "
+              "mr-t1, mr-t2, pet, ultrasound");
   }
 }
 
 TEST(TransferFunctionFile, DefaultFollowsModalityAndRange) {
   EXPECT_EQ(defaultPreset(ct()), "ct-soft-tissue");
+  EXPECT_EQ(plainPreset(ct()), "ct-plain");
   Volume mr = volumeOf<std::int16_t>({0, 1200});
   mr.modality = Modality::MR;
-  EXPECT_EQ(defaultPreset(mr), "mr");
+  EXPECT_EQ(defaultPreset(mr), "mr-t1");
+  EXPECT_EQ(plainPreset(mr), "mr");
+  mr.modality = Modality::PT;
+  EXPECT_EQ(defaultPreset(mr), "pet");
+  mr.modality = Modality::US;
+  EXPECT_EQ(defaultPreset(mr), "ultrasound");
   EXPECT_EQ(defaultPreset(volumeOf<std::int32_t>({-1207, 40, 3382})), "ct-soft-tissue") << "HU without a modality";
-  EXPECT_EQ(defaultPreset(volumeOf<float>({0.0f, 0.5f, 1.0f})), "mr") << "CT rescaled to 0..1";
-  EXPECT_EQ(defaultPreset(volumeOf<std::int16_t>({0, 2669})), "mr") << "CT offset by 1024";
+  EXPECT_EQ(defaultPreset(volumeOf<float>({0.0f, 0.5f, 1.0f})), "mr-t1") << "CT rescaled to 0..1";
+  EXPECT_EQ(defaultPreset(volumeOf<std::int16_t>({0, 2669})), "mr-t1") << "CT offset by 1024";
+}
+
+/// Air, tissue around 100, and `bright` of a thousand voxels that are `times` as bright.
+std::string defaultWith(int bright, int times) {
+  std::vector<std::int16_t> values(1000, 0);
+  for (int i = 0; i < 1000; ++i) values.push_back(static_cast<std::int16_t>(i < bright ? 100 * times : 90 + i % 20));
+  Volume mr = volumeOf(values);
+  mr.modality = Modality::MR;
+  return defaultPreset(mr);
+}
+
+TEST(TransferFunctionFile, DefaultOfAnMrFollowsHowMuchOfItIsBright) {
+  EXPECT_EQ(defaultWith(0, 1), "mr-t1");
+  EXPECT_EQ(defaultWith(30, 2), "mr-t1");
+  EXPECT_EQ(defaultWith(10, 4), "mr-angio");
+  EXPECT_EQ(defaultWith(100, 3), "mr-t2");
+}
+
+TEST(TransferFunctionFile, UptakeIsStandardisedOrCountsByTheMeanOfTheTissue) {
+  Volume volume = volumeOf<float>({0.0f, 0.0f, 0.0f, 0.0f, 3000.0f, 5000.0f});
+  const auto path = written(R"({"name": "x", "domain": "uptake", "nodes": [
+      {"value": 0.5, "colour": [1, 1, 1], "opacity": 0}, {"value": 2, "colour": [1, 1, 1], "opacity": 1}]})");
+  const auto valueOf = [&] { return loadContextFunction(path.string(), volume).function.nodes[1].value; };
+  EXPECT_EQ(valueOf(), 8000.0);
+  volume.unit = "GML";
+  EXPECT_EQ(valueOf(), 2.0);
+}
+
+TEST(TransferFunctionFile, AnOpacityMayBeThatOfAVoxel) {
+  Volume volume = ct();
+  volume.grid.spacing = {3.0, 0.5, 1.0};
+  const auto path = written(R"({"name": "x", "domain": "value", "nodes": [
+      {"value": 0, "colour": [1, 1, 1], "opacity": 0.5}, {"value": 1, "colour": [1, 1, 1], "opacity": 0.5, "per": "voxel"}]})");
+  const auto nodes = loadContextFunction(path.string(), volume).function.nodes;
+  EXPECT_DOUBLE_EQ(nodes[1].properties.extinction, 2.0 * nodes[0].properties.extinction);
+  EXPECT_NE(causeOf(R"({"name": "x", "domain": "value", "nodes": [
+      {"value": 0, "colour": [1, 1, 1], "opacity": 0.5, "per": "inch"}]})")
+                .find("\"per\""),
+            std::string::npos);
 }
 
 }  // namespace

@@ -493,7 +493,6 @@ TEST(Preferences, DefaultsOfTheLookAreTheUsers) {
   Look look;
   look.cutaway.openWidth = 17.0;
   const Look ofScene = look;
-  look.reconstruction = Reconstruction::Auto;  // the window's own default
   EXPECT_EQ(preferences.startingLook(ofScene), look) << "else, without a choice, those of a scene";
   preferences.set(Preference::Background, 0xff8000);
   preferences.set(Preference::WidthUnit, 1);

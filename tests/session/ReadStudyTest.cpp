@@ -97,6 +97,80 @@ TEST_F(ReadStudy, ASessionComesBackAsItWas) {
   EXPECT_TRUE(again.warnings.empty()) << kindsOf(again.warnings);
 }
 
+TEST_F(ReadStudy, NewDataStartInTheStartingLook) {
+  const io::Study study = io::readStudy(ball());
+  Look look = study.scene.look;
+  EXPECT_EQ(look.context.preset, "ct-soft-tissue");
+  look.context = {};
+  EXPECT_EQ(look, startingLook());
+  EXPECT_EQ(look.reconstruction, Reconstruction::Auto);
+  EXPECT_EQ(look.labelSmoothing, LabelSmoothing::Light);
+  EXPECT_EQ(look.edges, Edges::Smooth);
+  EXPECT_EQ(look.shading.occlusion, 0.35);
+  EXPECT_EQ(look.shading.shadow, 0.3);
+  EXPECT_EQ(look.contextLayer.share, 0.1);
+  EXPECT_EQ(look.contextLayer.valueWeight, 1.0);
+}
+
+/// The look that all new data had before there was a starting one, without border and edges.
+TEST_F(ReadStudy, TheBareLookIsThePlainOneWithoutBorderAndEdges) {
+  io::StudyRequest request = ball();
+  request.makeBare();
+  const Look look = io::readStudy(request).scene.look;
+  EXPECT_EQ(look.context.preset, "ct-plain");
+  const std::vector<TransferFunction::Node>& nodes = look.context.function.nodes;
+  ASSERT_EQ(nodes.size(), 9u);
+  EXPECT_EQ(nodes[0].value, -220.0);
+  EXPECT_EQ(nodes[4].properties, (OpticalProperties{{0.74, 0.32, 0.27}, extinctionFromOpacity(0.42)}));
+  Look rest = look;
+  rest.context = {};
+  Look plain;
+  plain.contextLayer.strength = 0.0;
+  plain.cutaway.borderWidth = 0.0;
+  EXPECT_EQ(rest, plain);
+  EXPECT_EQ(look.reconstruction, Reconstruction::Linear);
+  EXPECT_EQ(look.labelSmoothing, LabelSmoothing::Off);
+  EXPECT_EQ(look.edges, Edges::Off);
+  EXPECT_EQ(look.shading, Shading{});
+  EXPECT_EQ(look.shading.occlusion, 0.0);
+  EXPECT_EQ(look.shading.shadow, 0.0);
+  EXPECT_EQ(Look{}.contextLayer.share, 1.0) << "sessions that do not name it draw every edge";
+  EXPECT_EQ(Look{}.contextLayer.colour, glm::dvec3(0.42, 0.70, 0.90));
+}
+
+TEST_F(ReadStudy, ABareLookLeavesASessionsOwn) {
+  io::StudyRequest request = saved(io::readStudy(ball()).session);
+  request.makeBare();
+  const Look look = io::readStudy(request).scene.look;
+  EXPECT_EQ(look.context.preset, "ct-soft-tissue");
+  EXPECT_EQ(look.shading, startingLook().shading);
+  EXPECT_EQ(look.contextLayer.strength, 0.0);
+}
+
+TEST_F(ReadStudy, AutomaticOfAnOlderSessionIsWhatItWasThen) {
+  Grid grid = gridOf(glm::ivec3(40));
+  grid.spacing = {1.0, 1.0, 5.0};
+  io::writeVolume(*volumeOf<std::int16_t>(grid, [](glm::ivec3 index) { return index.z < 20 ? 1000 : -1000; }),
+                  folder_ / "ball.nrrd");
+  io::Session session = io::readStudy(ball()).session;
+  ASSERT_EQ(session.look.reconstruction, Reconstruction::Auto);
+  io::StudyRequest request = saved(session);
+  EXPECT_EQ(io::readStudy(request).scene.look.reconstruction, Reconstruction::Auto);
+  request.session->formerAutomatic = true;
+  const io::Study study = io::readStudy(request);
+  EXPECT_EQ(study.scene.look.reconstruction, Reconstruction::Smooth);
+  EXPECT_FALSE(study.session.formerAutomatic);
+}
+
+TEST_F(ReadStudy, EmissionIsReadInInvertedGreys) {
+  io::StudyRequest request = ball();
+  EXPECT_FALSE(io::readStudy(request).session.inverted);
+  request.modality = Modality::PT;
+  const io::Study study = io::readStudy(request);
+  EXPECT_TRUE(study.session.inverted);
+  EXPECT_EQ(study.scene.look.context.preset, "pet");
+}
+
 TEST_F(ReadStudy, ARecoveredSessionTakesThePlaceOfTheOneThatItCopies) {
   io::Session session = io::readStudy(ball()).session;
   session.autosaveOf = folder_ / "mine.fenestra";

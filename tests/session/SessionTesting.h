@@ -90,6 +90,8 @@ inline io::Session fullSession(const std::filesystem::path& folder) {
                                .silhouetteWeight = 0.75,
                                .illuminationWeight = 0.5,
                                .valueWeight = 0.1,
+                               .saturation = 0.45,
+                               .share = 0.35,
                                .colour = {1.0, 0.0, 0.1}};
   session.look.shading = {false, 0.1, 0.2, 0.4, 7.0, 33.3, -12.5, 0.35, 0.85};
   session.look.background = {0.05, 0.06, 0.07};

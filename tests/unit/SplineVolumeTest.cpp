@@ -199,19 +199,30 @@ TEST(SplineVolume, CubicIsNearerToAZonePlateThanLinearAndThatThanSmooth) {
               }));
 }
 
-TEST(Reconstruction, AutoIsSmoothForCoarseAndSmallVolumesOnly) {
+TEST(Reconstruction, AutoSmoothsCoarseAndSmallVolumesOnlyAndSharpOnesMore) {
   Scene scene;
   scene.look.reconstruction = Reconstruction::Auto;
+  Modality modality = Modality::MR;
+  glm::dvec3 spacing(1.0);
   const auto kindOf = [&](glm::ivec3 dims, ScalarType type) {
     auto volume = std::make_shared<Volume>();
     volume->grid.dims = dims;
-    volume->voxels = Voxels(type, 0);  // only the grid counts
+    volume->grid.spacing = spacing;
+    volume->modality = modality;
+    volume->range = {-1000.0, 3000.0};
+    volume->voxels = Voxels(type, 0);  // only grid, modality and range count
     scene.volume = volume;
     return reconstructionOf(scene);
   };
   EXPECT_EQ(kindOf({122, 101, 112}, ScalarType::Int16), Reconstruction::Smooth);
   EXPECT_EQ(kindOf({512, 512, 245}, ScalarType::Int16), Reconstruction::Linear);  // too many
   EXPECT_EQ(kindOf({2000, 50, 1}, ScalarType::Int16), Reconstruction::Linear);    // finer than pixels
+  modality = Modality::CT;
+  EXPECT_EQ(kindOf({122, 101, 112}, ScalarType::Int16), Reconstruction::Smoother);
+  EXPECT_EQ(kindOf({180, 180, 170}, ScalarType::Int16), Reconstruction::Smooth);  // narrower than two pixels
+  modality = Modality::MR;
+  spacing.z = 5.0;
+  EXPECT_EQ(kindOf({200, 200, 33}, ScalarType::Int16), Reconstruction::Smoother);  // thick slices
   scene.look.reconstruction = Reconstruction::Cubic;
   EXPECT_EQ(kindOf({2000, 50, 1}, ScalarType::Int16), Reconstruction::Cubic);
 }

@@ -6,6 +6,7 @@
 #include <QMainWindow>
 #include <QMenuBar>
 
+#include "rendering/settings/StartingLook.h"
 #include "viewer/actions/Actions.h"
 #include "viewer/actions/SegmentationMenu.h"
 #include "viewer/exports/Exports.h"
@@ -93,6 +94,8 @@ void Actions::addModalityMenu(QMenu& menu) {
   };
   add(tr("&CT"), Modality::CT);
   add(tr("&MR"), Modality::MR);
+  add(tr("&PET or SPECT"), Modality::PT);
+  add(tr("&Ultrasound"), Modality::US);
   add(tr("&Other"), Modality::Unknown);
   // DICOM files say it themselves, and phantoms are of no kind.
   const auto enable = [kinds, &document] {
@@ -154,7 +157,7 @@ QAction* Actions::addSample(const QString& name, StudyLoader::SampleReader read)
   QAction* sample = samples_->addAction(name);
   connect(sample, &QAction::triggered, this, [this, read = std::move(read)] {
     if (!targets_.sessions.mayGo()) return;
-    const Look look = targets_.workspace.preferences.startingLook({});
+    const Look look = targets_.workspace.preferences.startingLook(startingLook());
     targets_.loader.open([read, look](const io::Progress& progress) { return read(look, progress); });
   });
   return sample;

@@ -51,7 +51,7 @@ FileOpener::FileOpener(QWidget& window, Workspace& workspace, StudyLoader& loade
 StudyLoader::Reader FileOpener::readerOf(const io::DataRequest& data) const {
   io::StudyRequest request;
   static_cast<io::DataRequest&>(request) = data;
-  request.look = preferences_.startingLook({});
+  request.look = preferences_.startingLook(request.look);
   request.projection = cameras_.projection();
   return [request, chosen = chosenLook_](const io::Progress& progress) {
     io::Study study = io::readStudy(request, progress);

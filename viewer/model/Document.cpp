@@ -155,7 +155,7 @@ void Document::setInverted(bool inverted) {
 }
 
 void Document::resetWindow() {
-  setInverted(false);
+  setInverted(hasVolume() && study_.scene.volume->modality == Modality::PT);
   if (hasVolume()) setWindow(study_.scene.volume->defaultWindow());
 }
 

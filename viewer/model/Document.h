@@ -63,7 +63,7 @@ class Document : public QObject, private DocumentParts {
   /// Whether the slices show low values bright, where the data's own way is dark, and the other way round.
   bool isInverted() const { return inverted_; }
   void setInverted(bool inverted);
-  /// To the data's own window, not inverted.
+  /// To the data's own window; inverted for emission alone.
   void resetWindow();
 
   const Focus& focus() const { return look().focus; }

@@ -115,8 +115,6 @@ Look Preferences::startingLook(Look look) const {
   const int rgb = value(Preference::Background);
   look.background = glm::dvec3((rgb >> 16) & 255, (rgb >> 8) & 255, rgb & 255) / 255.0;
   look.cutaway.unit = wordsOf(WidthUnit{})[static_cast<std::size_t>(value(Preference::WidthUnit))].value;
-  // Smooths the terraces of coarse scans. The command line does not, because scripts compare its pictures.
-  look.reconstruction = Reconstruction::Auto;
   return look;
 }
 

@@ -12,8 +12,9 @@ ContextLayerPanel::ContextLayerPanel(Document& document, QWidget* parent)
   auto* body = new QWidget;
   auto* form = new QFormLayout(body);
   form->addRow(translated(settingOf(&ContextLayer::strength).name), strength_);
-  for (const auto member : {&ContextLayer::curvatureWeight, &ContextLayer::silhouetteWeight,
-                            &ContextLayer::illuminationWeight, &ContextLayer::valueWeight})
+  for (const auto member :
+       {&ContextLayer::curvatureWeight, &ContextLayer::silhouetteWeight, &ContextLayer::illuminationWeight,
+        &ContextLayer::valueWeight, &ContextLayer::saturation, &ContextLayer::share})
     rest_.push_back(controls_.addRow(*form, member));
   rest_.push_back(controls_.colour(&ContextLayer::colour));
   form->addRow(translated(settingOf(&ContextLayer::colour).name), rest_.back());

@@ -14,6 +14,7 @@
 #include "rendering/scene/Occlusion.h"
 #include "rendering/scene/Peel.h"
 #include "rendering/scene/Walls.h"
+#include "rendering/settings/StartingLook.h"
 
 namespace fenestra::viewer {
 namespace {
@@ -39,6 +40,8 @@ Scene sampleScene(const Focus& kind) {
   for (std::size_t i = 0; i < values.size(); ++i) values[i] = static_cast<std::int16_t>(i % 2000);
   volume->computeRange();
   Scene scene;
+  scene.look = startingLook();
+  scene.look.reconstruction = Reconstruction::Linear;  // as most scans are drawn
   scene.volume = volume;
   if (std::holds_alternative<LabelFocus>(kind) || std::holds_alternative<RegionFocus>(kind)) {
     auto labels = std::make_shared<LabelMap>();
@@ -106,6 +109,7 @@ ScenePreparation::Kind ScenePreparation::kindOf(const Scene& scene, const View& 
                         : ChosenMethod(),
           .occluded = hasOcclusion(look),
           .contextLayer = look.contextLayer.strength > 0.0,
+          .contextLines = look.contextLayer.strength > 0.0 && look.contextLayer.share < 1.0,
           .clipped = halfSpaces(look.clipping, scene.volume->grid).empty() && !explosionOf(look) ? 0
                      : look.clipping.grey                                                        ? 2
                                                                                                  : 1,

@@ -52,7 +52,7 @@ class ScenePreparation {
          cutaway = false;
     ChosenMethod method{};  ///< without the numbers that decide on no program
     bool occluded = false;  ///< ambient occlusion or shadows
-    bool contextLayer = false;
+    bool contextLayer = false, contextLines = false;
     int clipped = 0;       ///< 2: with grey faces
     bool exempts = false;  ///< clipping spares some labels
     bool levels = false;   ///< several levels of importance

@@ -130,6 +130,8 @@ struct ContextLayerUniforms {
   float illuminationWeight; // from the flat colour to the colour as the surface is lit
   float valueWeight;        // from `colour` to the context's own
   float curvatureScale;     // mm: makes curvature dimensionless; the derivative volume's spacing
+  float saturation;         // of the context's own colour
+  float leastLine;          // strength of the weakest edge; -1 keeps all
 };
 
 // Walls.comp: affine functions of a position in the cell frame, xyz·position + w.

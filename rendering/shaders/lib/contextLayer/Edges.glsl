@@ -3,12 +3,11 @@
 #include <edits>
 #include <faint>
 #include <schedule>
+#include "lib/ContextLines.glsl"
 #include "lib/None.glsl"
 #include "lib/TransferTables.glsl"
 #include "lib/Uniforms.glsl"
 
-TEXELS_2D(rgba32f, contextLayer);
-TEXELS_2D(r32f, silhouette);
 uniform sampler2D rayStart;
 
 vec4 withContextLayer(vec4 result, ivec2 pixel, vec2 hit, float share) {
@@ -16,17 +15,24 @@ vec4 withContextLayer(vec4 result, ivec2 pixel, vec2 hit, float share) {
   bool isRemoved = !isNone(hit.y);
   if (APART == 1) isRemoved = isRemoved && texelFetch(rayStart, pixel, 0).r > hit.x;
   if (isRemoved && !isNone(context.x)) {
-    float bend = sqrt(0.5 * dot(context.xy, context.xy)) * contextLook.curvatureScale;
+    float bend = bendOf(context.xy);
     float rim = texelOf(silhouette, pixel).r;
     // Edges come out as lines: both terms rise steeply.
     float opacity = contextLook.curvatureWeight * smoothstep(0.10, 0.40, bend);
     opacity = contextLook.strength * clamp(opacity + contextLook.silhouetteWeight * smoothstep(0.30, 0.85, rim), 0.0, 1.0);
+    opacity *= smoothstep(contextLook.leastLine, contextLook.leastLine + 0.06, lineStrength(bend, rim));
     if (EDITED) opacity = min(opacity * editAt(pixel).y, 1.0);
     if (HAS_LENS) opacity *= 1.0 - share;
     // A surface lies where opacity begins: what is opaque next to its value gives the colour.
     float entry = floor(clamp(entryOf(context.w) + 0.5, 0.0, LAST_ENTRY));
     vec4 own = materialAt(entry - 1.0) + materialAt(entry) + materialAt(entry + 1.0);
-    vec3 colour = own.a > 0.0 ? mix(contextLook.colour, own.rgb / own.a, contextLook.valueWeight) : contextLook.colour;
+    vec3 colour = contextLook.colour;
+    if (own.a > 0.0) {
+      vec3 hue = own.rgb / own.a;
+      // Luminance after ITU-R BT.709.
+      hue += (1.0 - contextLook.saturation) * (dot(hue, vec3(0.2126, 0.7152, 0.0722)) - hue);
+      colour = mix(contextLook.colour, hue, contextLook.valueWeight);
+    }
     colour *= mix(1.0, context.z, contextLook.illuminationWeight);
     result = vec4(colour, 1.0) * opacity + result * (1.0 - opacity);
   }
