@@ -134,6 +134,13 @@ std::optional<TubeRegion> Competition::clearerTube(glm::ivec3 seed, const FirstR
   return region;
 }
 
+std::optional<Competition::Region> Competition::furtherTube(glm::ivec3 seed, const FirstRegion& first) const {
+  if (!first.isTube) return std::nullopt;
+  const std::optional<TubeRegion> tube = clearerTube(seed, first, priorOf(first), {});
+  if (!tube) return std::nullopt;
+  return Region{allOf(*tube), tubeLevel + 1};
+}
+
 std::vector<Level> Competition::allOf(const TubeRegion& tube) const {
   std::vector<Level> joins(volume_.grid.voxelCount(), never);
   const VoxelBox whole = wholeOf(volume_.grid.dims);
@@ -156,11 +163,6 @@ Competition::Region Competition::further(glm::ivec3 seed, const StructurePrior& 
       region.joins = std::move(*bone);
       clearest = other;
     }
-  }
-  if (const std::optional<TubeRegion> tube =
-          first.isTube ? clearerTube(seed, first, priorOf(first), {}) : std::nullopt) {
-    region.joins = allOf(*tube);
-    clearest = ClearestStep{tubeLevel + 1};
   }
   if (clearest) region.step = clearest->step;
   return region;

@@ -34,13 +34,14 @@ class Competition {
   /// with its bone, and begins with the clearest step.
   void decide(FirstRegion& region) const;
 
-  /// What a further seed means beside a first one's region: the clearest tissue or bone of `prior`; beside a
-  /// tube, the tube that holds it.
+  /// What a further seed means beside a first one's region: the clearest tissue or bone of `prior`.
   struct Region {
     std::vector<Level> joins;
     int step = 1;
   };
   Region further(glm::ivec3 seed, const StructurePrior& prior, const FirstRegion& first) const;
+  /// The tube that holds a further seed; empty where there is none, or the first region is no tube.
+  std::optional<Region> furtherTube(glm::ivec3 seed, const FirstRegion& first) const;
 
   StructurePrior priorOf(const FirstRegion& region) const;
   GrowthCurve curveOf(const std::vector<Level>& joins, std::span<const Level> costs, const Noise& noise) const;

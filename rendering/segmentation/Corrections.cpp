@@ -47,6 +47,13 @@ std::optional<double> gapTo(const Grid& grid, glm::ivec3 voxel, const std::vecto
   return gap;
 }
 
+/// Voxels of a region that another one lacks at its step.
+double addedBy(const Competition::Region& region, const std::vector<Level>& joins, int step) {
+  double added = 0.0;
+  for (std::size_t i = 0; i < joins.size(); ++i) added += region.joins[i] < region.step && joins[i] >= step ? 1.0 : 0.0;
+  return added;
+}
+
 /// The clearest region at a further seed joins at the step `automatic`, with its own larger and smaller ones around it.
 void addAt(glm::ivec3 seed, const Volume& volume, const Competition& competition, StructurePrior prior,
            const FirstRegion& first, std::vector<Level>& joins) {
@@ -58,7 +65,12 @@ void addAt(glm::ivec3 seed, const Volume& volume, const Competition& competition
       std::min(prior.most, std::max((isBeside ? mostOfMissed : mostOfOther) * prior.expected, mostAdded * prior.usual));
   if (gap) prior.most = std::min(prior.most, 4.0 / 3.0 * std::numbers::pi * std::pow(gapReach * *gap, 3.0));
   prior.limit = prior.most;
-  const Competition::Region own = competition.further(seed, prior, first);
+  std::optional<Competition::Region> tube = competition.furtherTube(seed, first);
+  // A tube near the one that was clicked goes on with it; a longer one is another.
+  if (tube && addedBy(*tube, joins, automatic) * volume.grid.voxelVolume() >
+                  (gap ? mostOfMissed : mostOfOther) * prior.expected)
+    tube.reset();
+  const Competition::Region own = tube ? std::move(*tube) : competition.further(seed, prior, first);
   const int shift = automatic - own.step;
   for (std::size_t i = 0; i < joins.size(); ++i)
     if (own.joins[i] != never)

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "rendering/segmentation/Morphology.h"
+#include "rendering/volume/Threads.h"
 
 namespace fenestra::segmentation {
 namespace {
@@ -56,19 +57,24 @@ class Tracer {
       : finder_(volume, noise, seed), seed_(volume.grid.worldFromIndex() * glm::dvec4(glm::dvec3(seed), 1.0)) {}
 
   std::optional<Tube> run() {
-    std::optional<Tube> best;
+    const std::vector<TubeSection> begun = starts();
+    std::vector<Tube> tubes(begun.size());
+    parallelFor(begun.size(), 1, [&](std::size_t first, std::size_t end) {
+      SectionFinder finder = finder_;
+      for (std::size_t i = first; i < end; ++i) tubes[i] = from(begun[i], finder);
+    });
+    const Tube* best = nullptr;
     double most = 0.0;
-    for (const TubeSection& start : starts()) {
-      Tube tube = from(start);
+    for (const Tube& tube : tubes) {
       if (tube.diameters() < leastDiameters) continue;
       const double worth = riseWeight * tube.rise / SectionFinder::mostRise + supportWeight * tube.support +
                            std::log(std::min(longEnough, tube.diameters()));
       if (best && worth <= most) continue;
       most = worth;
-      best = std::move(tube);
+      best = &tube;
     }
-    if (best) best = steadied(*best);
-    return best;
+    if (!best) return std::nullopt;
+    return steadied(*best);
   }
 
  private:
@@ -78,13 +84,18 @@ class Tracer {
       TubeSection section;
       double worth;
     };
-    std::vector<Rated> all;
-    for (int number = 0; number < directions; ++number) {
-      const TubeSection section = finder_.centred(planeAt(seed_, directionAt(number)), nullptr, 2);
-      if (section.support < leastSupport || section.radius() > fullReach * finder_.largestRadius()) continue;
-      all.push_back({section, riseWeight * section.rise / SectionFinder::mostRise + supportWeight * section.support -
-                                  wideWeight * std::log(section.radius())});
-    }
+    std::vector<Rated> all(directions);
+    parallelFor(all.size(), 8, [&](std::size_t first, std::size_t end) {
+      SectionFinder finder = finder_;
+      for (std::size_t number = first; number < end; ++number) {
+        const TubeSection section = finder.centred(planeAt(seed_, directionAt(static_cast<int>(number))), nullptr, 2);
+        all[number] = {section, riseWeight * section.rise / SectionFinder::mostRise + supportWeight * section.support -
+                                    wideWeight * std::log(section.radius())};
+      }
+    });
+    std::erase_if(all, [&](const Rated& each) {
+      return each.section.support < leastSupport || each.section.radius() > fullReach * finder_.largestRadius();
+    });
     std::stable_sort(all.begin(), all.end(), [](const Rated& a, const Rated& b) { return a.worth > b.worth; });
     std::vector<TubeSection> chosen;
     for (const Rated& each : all) {
@@ -97,7 +108,9 @@ class Tracer {
     return chosen;
   }
 
-  Tube from(const TubeSection& start) { return joined(start, way(start), way(start.reversed())); }
+  static Tube from(const TubeSection& start, SectionFinder& finder) {
+    return joined(start, way(start, finder), way(start.reversed(), finder));
+  }
 
   /// The plane at the seed may be askew, beside a wall that is not seen, and lead astray on one side. So the tube is
   /// followed anew from a section on its longer side whose direction is that of the middles before it.
@@ -113,7 +126,7 @@ class Tracer {
     const TubeSection start = isEarly ? all[at].reversed() : all[at];
     std::vector<TubeSection> back;  // what lies behind, looking away from it
     while (isEarly ? at + 1 < all.size() : at > 0) back.push_back(isEarly ? all[++at] : all[--at].reversed());
-    return joined(start, way(start), back);
+    return joined(start, way(start, finder_), back);
   }
 
   /// `back` leads away from the other side of `start`.
@@ -136,7 +149,7 @@ class Tracer {
   }
 
   /// The sections that follow a first one, which is not among them.
-  std::vector<TubeSection> way(const TubeSection& start) {
+  static std::vector<TubeSection> way(const TubeSection& start, SectionFinder& finder) {
     std::vector<TubeSection> sections;
     std::vector<glm::dvec3> middles{start.centre};
     TubeSection last = start;
@@ -144,11 +157,11 @@ class Tracer {
     double radius = start.radius();
     int failed = 0;
     while (sections.size() < mostSections) {
-      const double step = std::max(finder_.side(), std::min(longestStep, stepShare * last.radius()));
+      const double step = std::max(finder.side(), std::min(longestStep, stepShare * last.radius()));
       const glm::dvec3 next = last.centre + step * along;
-      if (!finder_.contains(next)) break;
-      last = finder_.centred(last.movedTo(next, along), &last.contour, 1);
-      if (holds(last, radius)) {
+      if (!finder.contains(next)) break;
+      last = finder.centred(last.movedTo(next, along), &last.contour, 1);
+      if (holds(last, radius, finder.largestRadius())) {
         failed = 0;
         radius *= std::pow(last.radius() / radius, followRadius);
       } else if (++failed == patience) {
@@ -162,10 +175,10 @@ class Tracer {
     return sections;
   }
 
-  bool holds(const TubeSection& section, double radius) const {
+  static bool holds(const TubeSection& section, double radius, double largest) {
     const double own = section.radius();
     return section.support >= leastSupport && section.unlike < mostUnlike && own <= widest * radius &&
-           own >= narrowest * radius && own <= finder_.largestRadius();
+           own >= narrowest * radius && own <= largest;
   }
 
   static glm::dvec3 directionAfter(const std::vector<glm::dvec3>& middles, glm::dvec3 along, double radius) {

@@ -30,8 +30,8 @@ struct Tube {
   double diameters() const { return (length + radius) / (2.0 * radius); }  ///< how often its width its length holds
 };
 
-/// The tube that holds a voxel of the volume; empty where what holds it is no tube, which is known soon. Deterministic,
-/// on the calling thread.
+/// The tube that holds a voxel of the volume; empty where what holds it is no tube, which is known soon. Deterministic.
+/// Runs on all cores.
 std::optional<Tube> traceTube(const Volume& volume, const Noise& noise, glm::ivec3 seed);
 
 /// What a tube holds, as levels of a box that has its voxels.

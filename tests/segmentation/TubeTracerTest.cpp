@@ -6,9 +6,12 @@
 
 #include <gtest/gtest.h>
 
+#include "io/LabelReader.h"
+#include "io/VolumeReader.h"
 #include "rendering/segmentation/Mask.h"
 #include "rendering/segmentation/RegionGrowing.h"
 #include "tests/support/Scenes.h"
+#include "tests/support/TestData.h"
 
 namespace fenestra::segmentation {
 namespace {
@@ -175,6 +178,31 @@ TEST(RegionByTube, CorrectionsCutItAndGoOn) {
   EXPECT_TRUE(holds(added, inBendAt(0.2)));
   EXPECT_TRUE(holds(added, inBendAt(1.3)));
   EXPECT_LT(volumeOf(added), 1.3 * volumeOf(whole)) << "nothing of the block";
+}
+
+TEST(RegionByTube, FollowsVesselsWithoutContrastAgent) {
+  FENESTRA_TEST_DATA_OR_SKIP(folder, "labelled/totalsegmentator-torso");
+  const auto volume = io::openVolume(folder / "example_ct.nii.gz").volume;
+  const auto labels = io::openLabels(folder / "example_seg_fast_force_split.nii.gz", volume->grid).labels;
+  struct Case {
+    std::uint16_t label;
+    glm::dvec3 seed;
+    double least;
+    bool isTube;
+  };
+  const GrowthMemory memory;
+  for (const Case& each : {Case{52, {54, 47, 98}, 0.75, true},     // aorta; values and tissues reach 0.36
+                           Case{63, {63, 56, 91}, 0.65, true},     // inferior vena cava: 0.31
+                           Case{79, {57, 36, 74}, 0.65, true},     // spinal cord: 0.64
+                           Case{5, {87, 49, 106}, 0.85, false},    // liver
+                           Case{29, {56, 43, 74}, 0.7, false}}) {  // vertebra L3
+    const Mask truth = maskOf(*labels, each.label);
+    const auto growth = growRegion(*volume, clickAt(volume->grid, each.seed), wholeOf(volume->grid.dims), {}, memory);
+    const Mask mask = maskAt(*growth, growth->curve.automatic);
+    const double dice = diceOf(mask, [&](glm::ivec3 at) { return truth.voxels[truth.grid.offset(at)] != 0; });
+    EXPECT_GT(dice, each.least) << each.label;
+    EXPECT_EQ(memory.first()->isTube, each.isTube) << each.label;
+  }
 }
 
 }  // namespace
