@@ -20,7 +20,7 @@ constexpr double tissuesHandicap = 0.25;  ///< of the clarity: a region by tissu
 /// all.
 constexpr double boneHandicap = 0.5;
 constexpr double marrowShare = 0.9;    ///< of a region that lies in a bone
-constexpr double leastContrast = 1.0;  ///< deviations of the noise, of a border
+constexpr double leastOfBorder = 1.0;  ///< deviations of the noise, of a border
 constexpr double loudNoise = 2.0;      ///< differences that the eye tells apart
 
 // Of the clarity: a tube must be clearer than what is not bound to a shape by the first, and by the others the shorter
@@ -71,7 +71,7 @@ StructurePrior Competition::priorOf(const FirstRegion& region) const {
   const bool isGas = volume_.isInHounsfieldUnits() && volume_.value(region.seed) < gasBelow;
   StructurePrior prior = structurePrior(tissues_.bodyVolume(), isGas);
   // A border's contrast is a mean over many faces, so that it is seen below the noise of a single voxel.
-  prior.contrast = leastContrast * std::min(region.noise.deviation, loudNoise * region.noise.seen) / region.noise.unit;
+  prior.contrast = leastOfBorder * std::min(region.noise.deviation, loudNoise * region.noise.seen) / region.noise.unit;
   return prior;
 }
 

@@ -10,8 +10,8 @@
 namespace fenestra::segmentation {
 namespace {
 
-constexpr int rays = TubeSection::rays;
-constexpr double betweenRays = 2.0 * std::numbers::pi / rays;
+constexpr int rayCount = TubeSection::rays;
+constexpr double betweenRays = 2.0 * std::numbers::pi / rayCount;
 
 // Chosen on the aorta and the inferior vena cava of growing.md's torso, as all constants of tubes.
 constexpr double largestRadius = 25.0;     ///< mm, the aorta's with room
@@ -61,7 +61,7 @@ double median(std::vector<double>& values) {
 
 double TubeSection::area() const {
   double twice = 0.0;
-  for (std::size_t ray = 0; ray < rays; ++ray) twice += contour[ray] * contour[(ray + 1) % rays];
+  for (std::size_t ray = 0; ray < rayCount; ++ray) twice += contour[ray] * contour[(ray + 1) % rayCount];
   return 0.5 * twice * std::sin(betweenRays);
 }
 
@@ -70,9 +70,9 @@ double TubeSection::radius() const { return std::sqrt(area() / std::numbers::pi)
 glm::dvec3 TubeSection::middle() const {
   glm::dvec2 sum(0.0);
   double twice = 0.0;
-  for (int ray = 0; ray < rays; ++ray) {
+  for (int ray = 0; ray < rayCount; ++ray) {
     const glm::dvec2 a = onRay(ray, contour[static_cast<std::size_t>(ray)]);
-    const glm::dvec2 b = onRay(ray + 1, contour[static_cast<std::size_t>((ray + 1) % rays)]);
+    const glm::dvec2 b = onRay(ray + 1, contour[static_cast<std::size_t>((ray + 1) % rayCount)]);
     const double cross = a.x * b.y - b.x * a.y;
     twice += cross;
     sum += (a + b) * cross;
@@ -84,7 +84,7 @@ glm::dvec3 TubeSection::middle() const {
 TubeSection::Radii TubeSection::contourFrom(glm::dvec3 point) const {
   const glm::dvec2 away(glm::dot(point - centre, right), glm::dot(point - centre, up));
   Radii radii;
-  for (int ray = 0; ray < rays; ++ray) {
+  for (int ray = 0; ray < rayCount; ++ray) {
     const auto at = static_cast<std::size_t>(ray);
     radii[at] = std::max(0.1 * contour[at], contour[at] - glm::dot(away, onRay(ray, 1.0)));
   }
@@ -95,9 +95,9 @@ TubeSection TubeSection::reversed() const {
   TubeSection turned = *this;
   turned.normal = -normal;
   turned.up = -up;
-  for (std::size_t ray = 0; ray < rays; ++ray) {
-    turned.contour[ray] = contour[(rays - ray) % rays];
-    turned.wall[ray] = wall[(rays - ray) % rays];
+  for (std::size_t ray = 0; ray < rayCount; ++ray) {
+    turned.contour[ray] = contour[(rayCount - ray) % rayCount];
+    turned.wall[ray] = wall[(rayCount - ray) % rayCount];
   }
   return turned;
 }
@@ -144,11 +144,11 @@ void SectionFinder::sample(const TubeSection& plane, const TubeSection::Radii* e
     const double farthest = *std::max_element(expected->begin(), expected->end());
     count_ = std::min(most_, static_cast<int>(2.0 * farthest / step_) + 2 * window_);
   }
-  apart_.resize(static_cast<std::size_t>(rays * count_));
+  apart_.resize(static_cast<std::size_t>(rayCount * count_));
   const glm::dvec3 centre(toIndex_ * glm::dvec4(plane.centre, 1.0));
   volume_.voxels.visit([&](auto stored) {
     std::size_t at = 0;
-    for (int ray = 0; ray < rays; ++ray) {
+    for (int ray = 0; ray < rayCount; ++ray) {
       const glm::dvec2 on = onRay(ray, step_);
       const glm::dvec3 along(toIndex_ * glm::dvec4(on.x * plane.right + on.y * plane.up, 0.0));
       for (int place = 0; place < count_; ++place, ++at)
@@ -165,7 +165,7 @@ void SectionFinder::rate(const TubeSection::Radii* expected) {
   const auto mean = [&](int begin, int end) {
     return (sums[static_cast<std::size_t>(end)] - sums[static_cast<std::size_t>(begin)]) / (end - begin);
   };
-  for (int ray = 0; ray < rays; ++ray) {
+  for (int ray = 0; ray < rayCount; ++ray) {
     for (int place = 0; place < count_; ++place)
       sums[static_cast<std::size_t>(place) + 1] =
           sums[static_cast<std::size_t>(place)] + std::min(mostRise, apart(ray, place));
@@ -186,14 +186,14 @@ void SectionFinder::rate(const TubeSection::Radii* expected) {
 }
 
 /// Goes round three times: what was chosen in the second round depends neither on where it began nor on where it ends.
-std::array<int, rays> SectionFinder::bestContour() {
-  constexpr int turns = 3 * rays;
+std::array<int, rayCount> SectionFinder::bestContour() {
+  constexpr int turns = 3 * rayCount;
   const auto count = static_cast<std::size_t>(count_);
   sums_.assign(scores_.begin(), scores_.begin() + count_);
   next_.resize(count);
   origins_.resize(static_cast<std::size_t>(turns) * count);
   for (int turn = 1; turn < turns; ++turn) {
-    const int ray = turn % rays;
+    const int ray = turn % rayCount;
     for (int place = 0; place < count_; ++place) {
       const double unit = step_ / (std::max(radiusAt(place), 2.0 * side_) * betweenRays);
       const auto price = static_cast<float>(unevenWeight * unit * unit);
@@ -212,10 +212,10 @@ std::array<int, rays> SectionFinder::bestContour() {
     }
     std::swap(sums_, next_);
   }
-  std::array<int, rays> places{};
+  std::array<int, rayCount> places{};
   auto place = static_cast<int>(std::max_element(sums_.begin(), sums_.end()) - sums_.begin());
-  for (int turn = turns - 1; turn >= rays; --turn) {
-    if (turn < 2 * rays) places[static_cast<std::size_t>(turn % rays)] = place;
+  for (int turn = turns - 1; turn >= rayCount; --turn) {
+    if (turn < 2 * rayCount) places[static_cast<std::size_t>(turn % rayCount)] = place;
     place += origins_[static_cast<std::size_t>(turn) * count + static_cast<std::size_t>(place)];
   }
   return places;
@@ -242,18 +242,18 @@ double SectionFinder::wallAt(int ray, int place) const {
 TubeSection SectionFinder::find(const TubeSection& plane, const TubeSection::Radii* expected) {
   sample(plane, expected);
   rate(expected);
-  const std::array<int, rays> places = bestContour();
+  const std::array<int, rayCount> places = bestContour();
   TubeSection section = plane;
   section.rise = section.support = section.unlike = 0.0;
   double weights = 0.0;
-  for (int ray = 0; ray < rays; ++ray) {
+  for (int ray = 0; ray < rayCount; ++ray) {
     const auto at = static_cast<std::size_t>(ray);
     const int place = places[at];
     section.contour[at] = radiusAt(place);
     section.wall[at] = wallAt(ray, place);
     const double rise = rises_[static_cast<std::size_t>(ray * count_ + place)];
-    section.rise += rise / rays;
-    section.support += (rise >= seenRise ? 1.0 : 0.0) / rays;
+    section.rise += rise / rayCount;
+    section.support += (rise >= seenRise ? 1.0 : 0.0) / rayCount;
     for (int within = 0; within <= place; ++within) {
       section.unlike += std::min(mostRise, apart(ray, within)) * (within + 0.5);  // as much as its ring's area
       weights += within + 0.5;
