@@ -85,6 +85,34 @@ TEST_F(GpuSceneTest, ATransferFunctionThatShowsMoreRebuildsTheGradientOnceAtMost
   EXPECT_EQ(gpu->versions().gradient, first + 1);
 }
 
+/// Placing cameras makes nothing that only pictures read, takes nothing away from them, and what is missing is made
+/// later.
+TEST_F(GpuSceneTest, FirstHitsTakeNoMemoryForLightAndEdges) {
+  Scene scene = largeScene();
+  scene.look.shading.enabled = true;
+  const View anterior{.camera = Camera::standard(StandardView::Anterior, scene.volume->grid), .size = {90, 70}};
+  const auto gpu = std::make_shared<GpuScene>();
+  gpu->update(scene, GpuScene::Use::FirstHits);
+  EXPECT_FALSE(gpu->gradient());
+  EXPECT_FALSE(gpu->derivative().texture);
+  EXPECT_FALSE(gpu->focusSmooth());
+  EXPECT_TRUE(gpu->volume().texture);
+  EXPECT_TRUE(gpu->focusBricks());
+  Renderer renderer(gpu);
+  renderer.render(scene, anterior);
+  EXPECT_EQ(renderer.readPicture(), pictureOf(scene));
+  EXPECT_TRUE(gpu->gradient());
+  EXPECT_TRUE(gpu->derivative().texture);
+
+  const GpuScene::Versions before = gpu->versions();
+  gpu->update(scene, GpuScene::Use::FirstHits);
+  EXPECT_EQ(gpu->versions(), before);
+  scene.look.context.function = opaqueFrom(-950.0);
+  gpu->update(scene, GpuScene::Use::FirstHits);
+  renderer.render(scene, anterior);
+  EXPECT_EQ(renderer.readPicture(), pictureOf(scene));
+}
+
 TEST_F(GpuSceneTest, AVolumeBeyondTheLimitsIsDrawnWithWholeVoxelsJoined) {
   for (const bool values : {false, true}) {
     Scene scene = largeScene();

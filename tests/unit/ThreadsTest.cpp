@@ -52,6 +52,39 @@ TEST(ParallelFor, DoesTheFirstPieceOnTheCallingThread) {
   EXPECT_EQ(first, std::this_thread::get_id());
 }
 
+TEST(OnEachCore, CallsOnceOnTheCallingThreadAndOnceForEachOtherCore) {
+  const std::thread::id here = std::this_thread::get_id();
+  for (int again = 0; again < 20; ++again) {
+    std::atomic<int> calls = 0, byCaller = 0;
+    onEachCore([&](bool isCaller) {
+      ++calls;
+      if (!isCaller) return;
+      ++byCaller;
+      EXPECT_EQ(std::this_thread::get_id(), here);
+    });
+    EXPECT_EQ(calls, static_cast<int>(std::max(1u, std::thread::hardware_concurrency())));
+    EXPECT_EQ(byCaller, 1);
+  }
+}
+
+TEST(Together, DoesBothAndTheFirstOnTheCallingThread) {
+  for (int again = 0; again < 20; ++again) {
+    std::thread::id here, caller;
+    std::atomic<int> nested = 0;
+    together(
+        [&] {
+          here = std::this_thread::get_id();
+          onEachCore([&](bool isCaller) {
+            if (isCaller) caller = std::this_thread::get_id();
+          });
+        },
+        [&] { parallelFor(100, 1, [&](std::size_t from, std::size_t to) { nested += static_cast<int>(to - from); }); });
+    EXPECT_EQ(here, std::this_thread::get_id());
+    EXPECT_EQ(caller, here) << "OpenGL's thread is the one that uploads, in nested work, too";
+    EXPECT_EQ(nested, 100);
+  }
+}
+
 TEST(ParallelFor, MayBeCalledByItsBody) {
   std::atomic<int> visits = 0;
   parallelFor(64, 1, [&](std::size_t begin, std::size_t end) {
