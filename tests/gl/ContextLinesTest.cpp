@@ -22,7 +22,7 @@ Scene noisyBody() {
   std::normal_distribution<double> noise(0.0, 150.0);
   Scene scene;
   scene.volume = volumeOf<std::int16_t>(grid, [&](glm::ivec3 i) {
-    return 1000.0 * (1.4 - glm::length((glm::dvec3(i) - centre) / glm::dvec3(grid.dims) * 2.0)) + noise(random);
+    return 1000.0 * (1.1 - glm::length((glm::dvec3(i) - centre) / glm::dvec3(grid.dims) * 2.0)) + noise(random);
   });
   scene.labels = labelsOf(
       grid, [&](glm::ivec3 i) { return glm::length((glm::dvec3(i) - centre) / glm::dvec3(grid.dims)) < 0.3 ? 1 : 0; });
