@@ -2,6 +2,7 @@
 
 #include "rendering/reference/Field.h"
 #include "rendering/reference/Light.h"
+#include "rendering/scene/ContextLines.h"
 #include "rendering/volume/Threads.h"
 
 namespace fenestra::reference {
@@ -98,6 +99,11 @@ glm::dvec2 principalCurvatures(glm::dvec3 gradient, const glm::dmat3& hessian) {
   return {mean + spread, mean - spread};
 }
 
+/// Curvature as a number without a unit.
+double bendOf(const ContextPoint& point, double scale) {
+  return std::sqrt(0.5 * (point.k1 * point.k1 + point.k2 * point.k2)) * scale;
+}
+
 }  // namespace
 
 double derivativeSpacing(const Grid& grid) {
@@ -139,6 +145,26 @@ std::vector<std::optional<ContextPoint>> contextLayer(const Scene& scene, const 
     });
   });
   return layer;
+}
+
+double strengthOf(const ContextLayer& look, const ContextPoint& point, double scale) {
+  return lines::strength(look.curvatureWeight, look.silhouetteWeight, bendOf(point, scale), point.silhouette);
+}
+
+double contextOpacity(const ContextLayer& look, const ContextPoint& point, double scale, double factor,
+                      double leastLine) {
+  const double opacity = look.curvatureWeight * smoothstep(0.10, 0.40, bendOf(point, scale)) +
+                         look.silhouetteWeight * smoothstep(0.30, 0.85, point.silhouette);
+  const double shown = smoothstep(leastLine, leastLine + lines::fade, strengthOf(look, point, scale));
+  return std::min(look.strength * std::clamp(opacity, 0.0, 1.0) * shown * factor, 1.0);
+}
+
+glm::dvec3 contextColour(const ContextLayer& look, const TransferFunction& context, const ContextPoint& point) {
+  const glm::dvec3 own = context.evaluate(point.value).colour;
+  // Luminance after ITU-R BT.709.
+  const glm::dvec3 grey(glm::dot(own, glm::dvec3(0.2126, 0.7152, 0.0722)));
+  return glm::mix(look.colour, glm::mix(grey, own, look.saturation), look.valueWeight) *
+         glm::mix(1.0, point.illumination, look.illuminationWeight);
 }
 
 std::vector<glm::dvec3> contextNormals(const Scene& scene, const std::vector<Ray>& rays, const Image& tContext,

@@ -30,6 +30,15 @@ std::vector<std::optional<ContextPoint>> contextLayer(const Scene& scene, const 
 std::vector<glm::dvec3> contextNormals(const Scene& scene, const std::vector<Ray>& rays, const Image& tContext,
                                        const Image& tFocus);
 
+/// Strength of a point's edge (rendering/scene/ContextLines.h). `scale`: derivativeSpacing().
+double strengthOf(const ContextLayer& look, const ContextPoint& point, double scale);
+/// Opacity of the context layer there: both terms rise steeply, so that edges come out as lines. `factor` is the
+/// brush's, `leastLine` the least strength that shows.
+double contextOpacity(const ContextLayer& look, const ContextPoint& point, double scale, double factor,
+                      double leastLine);
+/// Its colour, of the context's function `context`.
+glm::dvec3 contextColour(const ContextLayer& look, const TransferFunction& context, const ContextPoint& point);
+
 /// The length in mm that makes curvature dimensionless: the finest spacing of the smoothed volume.
 double derivativeSpacing(const Grid& grid);
 

@@ -191,32 +191,6 @@ std::vector<glm::dvec4> wallsOn(const Frame& frame, const Rays& rays, WallPlacem
   return wallColours(frame.scene, frame.camera, frame.size, frame.slices, seen);
 }
 
-/// Curvature as a number without a unit.
-double bendOf(const ContextPoint& point, double scale) {
-  return std::sqrt(0.5 * (point.k1 * point.k1 + point.k2 * point.k2)) * scale;
-}
-
-double strengthOf(const ContextLayer& look, const ContextPoint& point, double scale) {
-  return lines::strength(look.curvatureWeight, look.silhouetteWeight, bendOf(point, scale), point.silhouette);
-}
-
-/// Opacity of the context layer: both terms rise steeply, so that edges come out as lines. `factor` is the brush's.
-double contextOpacity(const ContextLayer& look, const ContextPoint& point, double scale, double factor,
-                      double leastLine) {
-  const double opacity = look.curvatureWeight * smoothstep(0.10, 0.40, bendOf(point, scale)) +
-                         look.silhouetteWeight * smoothstep(0.30, 0.85, point.silhouette);
-  const double shown = smoothstep(leastLine, leastLine + lines::fade, strengthOf(look, point, scale));
-  return std::min(look.strength * std::clamp(opacity, 0.0, 1.0) * shown * factor, 1.0);
-}
-
-glm::dvec3 contextColour(const ContextLayer& look, const TransferFunction& context, const ContextPoint& point) {
-  const glm::dvec3 own = context.evaluate(point.value).colour;
-  // Luminance after ITU-R BT.709.
-  const glm::dvec3 grey(glm::dot(own, glm::dvec3(0.2126, 0.7152, 0.0722)));
-  return glm::mix(look.colour, glm::mix(grey, own, look.saturation), look.valueWeight) *
-         glm::mix(1.0, point.illumination, look.illuminationWeight);
-}
-
 /// Strength of the weakest edge that shows in a picture, as rendering/scene/ContextLines.h has it.
 double leastLineOf(const Scene& scene, const Camera& camera, glm::ivec2 size, const HitPoints& hits) {
   const ContextLayer& look = scene.look.contextLayer;

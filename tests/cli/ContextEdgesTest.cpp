@@ -38,28 +38,26 @@ TEST_P(ContextEdges, ChangeAnEighthOfTheFocusAtMost) {
     EXPECT_EQ(result.exitCode, 0) << result.error;
     return io::readPicture(fs::path(at(name)) / "final.mha").values;
   };
-  for (const std::string camera : {"30,15", "150,5", "-80,25"})
-    for (const std::string look : {"full", "context"}) {
-      const auto with = drawn("with", camera, {"--look", look});
-      const auto without = drawn("without", camera, {"--look", look, "--context-layer", "0"});
-      const auto focus = io::readPicture(fs::path(at("with")) / "t_focus.mha").values;
-      std::size_t shown = 0, changed = 0;
-      for (std::size_t i = 0; i < focus.size(); ++i) {
-        if (std::isnan(focus[i])) continue;
-        ++shown;
-        float most = 0.0f;
-        for (std::size_t c = 0; c < 3; ++c) most = std::max(most, std::abs(with[4 * i + c] - without[4 * i + c]));
-        changed += most > 32.0f / 255.0f ? 1 : 0;
-      }
-      const double share = static_cast<double>(changed) / static_cast<double>(std::max<std::size_t>(shown, 1));
-      EXPECT_LE(share, 0.125) << look << " from " << camera << ", " << shown << " pixels";
-      RecordProperty(look + camera, std::to_string(share));
+  for (const std::string camera : {"30,15", "150,5"}) {
+    const auto with = drawn("with", camera, {}), without = drawn("without", camera, {"--context-layer", "0"});
+    const auto focus = io::readPicture(fs::path(at("with")) / "t_focus.mha").values;
+    std::size_t shown = 0, changed = 0;
+    for (std::size_t i = 0; i < focus.size(); ++i) {
+      if (std::isnan(focus[i])) continue;
+      ++shown;
+      float most = 0.0f;
+      for (std::size_t c = 0; c < 3; ++c) most = std::max(most, std::abs(with[4 * i + c] - without[4 * i + c]));
+      changed += most > 32.0f / 255.0f ? 1 : 0;
     }
+    const double share = static_cast<double>(changed) / static_cast<double>(std::max<std::size_t>(shown, 1));
+    EXPECT_LE(share, 0.125) << "from " << camera << ", " << shown << " pixels";
+    RecordProperty("from " + camera, std::to_string(share));
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(
     Data, ContextEdges,
-    ::testing::Values(Labelled{"Phantom", "", "", "heart"},
+    ::testing::Values(Labelled{"Phantom", "", "", "heart muscle"},
                       Labelled{"Torso", "labelled/totalsegmentator-torso/example_ct.nii.gz",
                                "labelled/totalsegmentator-torso/example_seg_fast_force_split.nii.gz", "2,3,52"},
                       Labelled{"Abdomen", "labelled/totalsegmentator-dicom/example_ct_dicom",
