@@ -101,22 +101,23 @@ void addLookOptions(Command command, io::StudyRequest& request) {
   command.addValue("--transfer-function", request.transferFunction, "optical properties of everything but the focus")
       .as(presets + "|FILE.json");
   // Options apply in the order in which they are added: --look first, so that a width given beside it overrides it.
-  std::string looks;
-  for (const OpeningLook& each : openingLooks()) looks.append(looks.empty() ? "" : "|").append(each.id);
+  std::string looks = "starting|plain";
+  for (const OpeningLook& each : openingLooks()) looks.append("|").append(each.id);
   command.add(
       "--look", looks + "|FILE.json",
-      "context layer and border ready made, default full; bare is without them, and for new data without smoothing, "
-      "occlusion and shadow, too; or a preset that was saved, with its transfer function, light and all",
+      "starting is what the window opens new data in, plain has no smoothing, occlusion and shadow, bare neither "
+      "border "
+      "and edges; others: context layer and border ready made; or a preset that was saved, with its transfer function, "
+      "light and all",
       [&](const std::string& text) {
         if (std::filesystem::path(text).extension() == ".json") {
           request.preset = io::readLook(text);
           look = restyled(look, request.preset->look);
           return true;
         }
-        if (text == "bare") {
-          request.makeBare();
-          return true;
-        }
+        if (text == "starting") return request.makeStarting(), true;
+        if (text == "plain") return request.makePlain(), true;
+        if (text == "bare") return request.makeBare(), true;
         const auto all = openingLooks();
         const auto chosen =
             std::find_if(all.begin(), all.end(), [&](const OpeningLook& each) { return each.id == text; });

@@ -74,6 +74,13 @@ int run(const Runnable& command) {
   }
 }
 
+/// The options of a scene, which begins in the plain look: the pictures and placements of a script stay as they are
+/// when the look changes that the window opens new data in.
+void addScene(app::Command command, io::StudyRequest& study, std::function<void(const io::Session&)> onSession = {}) {
+  study.makePlain();
+  app::addSceneOptions(command, study, std::move(onSession));
+}
+
 Runnable addInfo(app::Program& program, InfoOptions& options) {
   const app::Command command = program.addCommand("info", "geometry, type, value range, series and warnings, as JSON");
   app::addVolumeOptions(command, options.data);
@@ -99,7 +106,7 @@ Runnable addConvert(app::Program& program, ConvertOptions& options) {
 
 Runnable addSurface(app::Program& program, SurfaceOptions& options) {
   const app::Command command = program.addCommand("surface", "the focus as a closed surface of triangles");
-  app::addSceneOptions(command, options.study);
+  addScene(command, options.study);
   command.addValue("-o,--output", options.output, "STL, PLY or OBJ to write").required().as("FILE");
   app::addChoice<io::SurfaceFrame>(command, "--frame", "axes of the coordinates in mm, default lps",
                                    {{"lps", io::SurfaceFrame::Lps}, {"ras", io::SurfaceFrame::Ras}}, options.frame);
@@ -167,7 +174,7 @@ void addRenderOptions(app::Command command, RenderOptions& options) {
 
 Runnable addRender(app::Program& program, RenderOptions& options) {
   const app::Command command = program.addCommand("render", "a picture with the adaptive cutaway");
-  app::addSceneOptions(command, options.study);
+  addScene(command, options.study);
   command.group("Picture");
   app::addWallOptions(command, options.study);
   command.group("Options");
@@ -178,8 +185,7 @@ Runnable addRender(app::Program& program, RenderOptions& options) {
 Runnable addPlace(app::Program& program, PlaceOptions& options) {
   const app::Command command =
       program.addCommand("place", "the best view of the focus and one that complements it, as JSON");
-  app::addSceneOptions(command, options.study,
-                       [&options](const io::Session& session) { useAsDefaults(session, options); });
+  addScene(command, options.study, [&options](const io::Session& session) { useAsDefaults(session, options); });
   addPlacementOptions(command, options);
   command.atLast([command] { requireSource(command); });
   return {command, &options.study, [&] {

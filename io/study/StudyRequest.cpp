@@ -5,6 +5,16 @@
 
 namespace fenestra::io {
 
+namespace {
+
+/// In another style, but for a session's transfer function.
+void restyle(StudyRequest& request, Look style) {
+  if (request.session) style.context = request.look.context;
+  request.look = restyled(request.look, style);
+}
+
+}  // namespace
+
 std::string DataRequest::source() const { return phantom.empty() ? path.string() : "phantom " + phantom; }
 
 std::filesystem::path DataRequest::labelSource() const {
@@ -20,8 +30,13 @@ void StudyRequest::startFrom(Session from) {
 }
 
 void StudyRequest::makePlain() {
-  look = restyled(look, Look{});
+  restyle(*this, Look{});
   startsPlain = true;
+}
+
+void StudyRequest::makeStarting() {
+  restyle(*this, startingLook());
+  startsPlain = false;
 }
 
 void StudyRequest::makeBare() {

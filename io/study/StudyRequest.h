@@ -105,8 +105,11 @@ struct StudyRequest : DataRequest {
   ShownSlices slices;                              ///< of walls
   std::optional<double> windowWidth, windowLevel;  ///< in place of those of slices.window
 
-  /// The plain look (Look's initialisers) and preset in place of the starting ones; for measurements.
+  /// The plain look (Look's initialisers) and preset in place of the starting ones, for scripts and measurements. A
+  /// session keeps its transfer function.
   void makePlain();
+  /// The starting look and preset again; a session keeps its transfer function.
+  void makeStarting();
   /// The bare look and the plain preset in place of the starting ones. A session keeps its own but for border and
   /// edges.
   void makeBare();

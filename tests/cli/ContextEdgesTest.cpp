@@ -1,5 +1,5 @@
-// The context's edges explain and do not cover: with the looks that new data open with, they change at most an eighth
-// of the focus's projection by more than 32/255, on all labelled data.
+// The context's edges explain and do not cover: with the look that the window opens new data in, they change at most an
+// eighth of the focus's projection by more than 32/255, on all labelled data.
 
 #include <cmath>
 
@@ -7,7 +7,7 @@
 #include "tests/cli/CommandLine.h"
 #include "tests/support/TestData.h"
 
-namespace fenestra::tests {
+namespace fenestra::tests::contextEdgesTest {
 namespace {
 
 struct Labelled {
@@ -25,8 +25,8 @@ TEST_P(ContextEdges, ChangeAnEighthOfTheFocusAtMost) {
     FENESTRA_TEST_DATA_OR_SKIP(labels, data.labels);
     scene = {"render", image.string(), "--labels", labels.string()};
   }
-  for (const std::string& each :
-       {std::string("--focus-labels"), data.focus, std::string("--size"), std::string("280x260")})
+  for (const std::string& each : {std::string("--focus-labels"), data.focus, std::string("--size"),
+                                  std::string("280x260"), std::string("--look"), std::string("starting")})
     scene.push_back(each);
   const auto drawn = [&](const std::string& name, const std::string& camera, const std::vector<std::string>& more) {
     std::vector<std::string> all = scene;
@@ -79,4 +79,4 @@ INSTANTIATE_TEST_SUITE_P(
     [](const auto& test) { return test.param.name; });
 
 }  // namespace
-}  // namespace fenestra::tests
+}  // namespace fenestra::tests::contextEdgesTest

@@ -7,7 +7,7 @@
 #include "tests/gl/GlTest.h"
 #include "tests/gl/SceneKinds.h"
 
-namespace fenestra::tests {
+namespace fenestra::tests::contextLinesTest {
 namespace {
 
 constexpr glm::ivec2 size{120, 104};
@@ -128,4 +128,4 @@ TEST_F(ContextLinesTest, CostNothingWhereTheyMayCoverAll) {
 }
 
 }  // namespace
-}  // namespace fenestra::tests
+}  // namespace fenestra::tests::contextLinesTest

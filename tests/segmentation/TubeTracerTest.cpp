@@ -13,7 +13,7 @@
 #include "tests/support/Scenes.h"
 #include "tests/support/TestData.h"
 
-namespace fenestra::segmentation {
+namespace fenestra::segmentation::tubeTracerTest {
 namespace {
 
 using tests::gridOf;
@@ -206,4 +206,4 @@ TEST(RegionByTube, FollowsVesselsWithoutContrastAgent) {
 }
 
 }  // namespace
-}  // namespace fenestra::segmentation
+}  // namespace fenestra::segmentation::tubeTracerTest

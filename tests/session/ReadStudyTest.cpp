@@ -138,6 +138,26 @@ TEST_F(ReadStudy, TheBareLookIsThePlainOneWithoutBorderAndEdges) {
   EXPECT_EQ(Look{}.contextLayer.colour, glm::dvec3(0.42, 0.70, 0.90));
 }
 
+TEST_F(ReadStudy, AScriptsPlainLookIsMadeTheStartingOneAgain) {
+  io::StudyRequest request = ball();
+  request.makePlain();
+  Look plain = io::readStudy(request).scene.look;
+  EXPECT_EQ(plain.context.preset, "ct-plain");
+  plain.context = {};
+  EXPECT_EQ(plain, Look{});
+  request.makeStarting();
+  EXPECT_EQ(io::readStudy(request).scene.look, io::readStudy(ball()).scene.look);
+}
+
+TEST_F(ReadStudy, AnotherLookLeavesASessionsTransferFunction) {
+  for (const bool plain : {true, false}) {
+    io::StudyRequest request = saved(io::readStudy(ball()).session);
+    const ContextFunction own = request.look.context;
+    plain ? request.makePlain() : request.makeStarting();
+    EXPECT_EQ(io::readStudy(request).scene.look.context, own);
+  }
+}
+
 TEST_F(ReadStudy, ABareLookLeavesASessionsOwn) {
   io::StudyRequest request = saved(io::readStudy(ball()).session);
   request.makeBare();

@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-namespace fenestra {
+namespace fenestra::contextLinesTest {
 namespace {
 
 std::vector<std::uint32_t> countsOf(const std::vector<double>& strengths) {
@@ -49,4 +49,4 @@ TEST(ContextLines, StrengthRisesWithBothTermsAndStaysBelowOne) {
 }
 
 }  // namespace
-}  // namespace fenestra
+}  // namespace fenestra::contextLinesTest
