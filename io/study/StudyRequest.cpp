@@ -8,9 +8,10 @@ namespace fenestra::io {
 namespace {
 
 /// In another style, but for a session's transfer function.
-void restyle(StudyRequest& request, Look style) {
-  if (request.session) style.context = request.look.context;
-  request.look = restyled(request.look, style);
+void restyle(StudyRequest& request, const Look& style) {
+  Look look = restyled(request.look, style);
+  if (request.session) look.context = request.look.context;
+  request.look = std::move(look);
 }
 
 }  // namespace

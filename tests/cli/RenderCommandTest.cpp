@@ -34,13 +34,13 @@ TEST_F(RenderCommand, RenderWritesPictureLayersCameraAndStatistics) {
   EXPECT_EQ(camera["clipFromWorld"][3].size(), 4u);
 
   const Json stats = Json::parse(contents(at("stats.json")));
-  ASSERT_EQ(stats["passes"].size(), 19u);
+  ASSERT_EQ(stats["passes"].size(), 20u);
   // Without strokes there is nothing to edit, without protected labels nothing to protect; nothing is clipped, no light
   // is hidden, edges are not smooth, and the method stands no cones, keeps nothing faint and has neither levels of
-  // importance nor lens nor walls nor a maximum.
-  const std::set<std::string> unused{"important hits", "cones",           "edit map", "occlusion",
-                                     "faint layer",    "protected layer", "lens",     "exempt labels",
-                                     "edges",          "edge rays",       "walls",    "maximum"};
+  // importance nor lens nor walls nor a maximum, and all edges of the context are drawn.
+  const std::set<std::string> unused{"important hits",  "cones",   "edit map",      "occlusion", "faint layer",
+                                     "protected layer", "lens",    "exempt labels", "edges",     "edge rays",
+                                     "walls",           "maximum", "context lines"};
   for (const Json& pass : stats["passes"])
     EXPECT_EQ(pass["runs"], unused.contains(pass["name"].get<std::string>()) ? 0 : 3) << pass["name"];
   EXPECT_EQ(stats["frames_ms"].size(), 3u);

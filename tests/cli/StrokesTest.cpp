@@ -106,10 +106,13 @@ TEST_F(Strokes, LooksAreWhatTheirOptionsSay) {
     EXPECT_EQ(render("-o '" + at("x.png") + "' " + options), 0) << error();
     return io::readPicture(at("x.png")).values;
   };
-  const std::vector<float> full = picture("");
-  EXPECT_EQ(picture("--look full"), full);
+  const std::vector<float> plain = picture("");
+  EXPECT_EQ(picture("--look plain"), plain);
+  const std::string lines = "--context-layer 0.8 --context-value 1 --context-saturation 0.5 --context-share 0.1";
+  EXPECT_EQ(picture("--look full"), picture(lines));
+  EXPECT_NE(picture("--look full"), plain);
   EXPECT_EQ(picture("--look bare"), picture("--context-layer 0 --w-border 0"));
-  EXPECT_EQ(picture("--w-border 2 --context-layer 0.7 --look bare"), full) << "what is said by itself counts";
+  EXPECT_EQ(picture("--w-border 2 --context-layer 0.7 --look bare"), plain) << "what is said by itself counts";
   EXPECT_NE(picture("--w-open 4 --look border"), picture("--w-open 4 --look bare"));
   EXPECT_EQ(render("-o '" + at("x.png") + "' --look nice"), 2);
 }

@@ -93,8 +93,8 @@ TEST_F(Window, SlidersAreThoseOfTheDeclaredSettings) {
   EXPECT_EQ(sliders, 19);
   EXPECT_EQ(expectSlidersAsDeclared<CarvingSettings>(panel<CutawayPanel>()), 3);
   EXPECT_EQ(panel<CutawayPanel>().findChildren<SliderSpin*>().size(), 25) << "one each";
-  EXPECT_EQ(expectSlidersAsDeclared<ContextLayer>(panel<ContextLayerPanel>()), 5);
-  EXPECT_EQ(panel<ContextLayerPanel>().findChildren<SliderSpin*>().size(), 5) << "one each";
+  EXPECT_EQ(expectSlidersAsDeclared<ContextLayer>(panel<ContextLayerPanel>()), 7);
+  EXPECT_EQ(panel<ContextLayerPanel>().findChildren<SliderSpin*>().size(), 7) << "one each";
 }
 
 TEST_F(Window, ATypedFocusValueIsOneStepAndUndoneFromItsBox) {
