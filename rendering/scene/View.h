@@ -42,6 +42,9 @@ struct View {
   /// A frozen opening: it stays cut for that picture while the camera moves. Empty: the opening follows the camera.
   std::optional<OpeningView> frozen = std::nullopt;
   ShownSlices slices{};
+  /// False: without ambient occlusion and shadow, whatever the look says. They are computed for all of the volume and
+  /// anew for each camera, so that a smaller picture does not cost less: pictures in motion leave them out.
+  bool occlusion = true;
   bool operator==(const View&) const = default;
 };
 

@@ -20,7 +20,7 @@ struct OcclusionKey {
 class OcclusionStage : public KeyedStage<OcclusionKey> {
  public:
   OcclusionStage(StageList& list, const StartStages& own, const StartStages& other);
-  bool isUsed(const Frame& frame) const override { return hasOcclusion(frame.look()); }
+  bool isUsed(const Frame& frame) const override { return hasOcclusion(frame.look()) && frame.view().occlusion; }
   void begin(const Frame& frame, Steps& steps) override;
 
   /// RGBA32UI, of OcclusionPass; none in pictures without either.

@@ -252,6 +252,26 @@ TEST_F(OcclusionTest, ChangesLeaveNothingBehind) {
   expectFresh(denser, "a clearer focus");
 }
 
+/// A view that leaves them out is that of a look without, and the next one has them again.
+TEST_F(OcclusionTest, AViewInMotionLeavesThemOut) {
+  const Scene scene = body();
+  Scene without = scene;
+  without.look.shading.occlusion = without.look.shading.shadow = 0.0;
+  const View still = within(scene, 2.0);
+  View moving = still;
+  moving.occlusion = false;
+  Renderer renderer(gpuWith(usualSchedule())), other(gpuWith(usualSchedule()));
+  renderer.render(scene, still);
+  const auto atRest = renderer.readPicture();
+  renderer.render(scene, moving);
+  EXPECT_EQ(runsOf(renderer, Pass::Occlusion), 1) << "of the first picture";
+  other.render(without, still);
+  EXPECT_EQ(renderer.readPicture(), other.readPicture());
+  EXPECT_NE(renderer.readPicture(), atRest);
+  renderer.render(scene, still);
+  EXPECT_EQ(renderer.readPicture(), atRest);
+}
+
 /// While it is off, no program contains any of its code.
 TEST_F(OcclusionTest, OffItIsInNoProgram) {
   std::set<std::string> paths;

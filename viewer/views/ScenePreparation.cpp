@@ -107,7 +107,7 @@ ScenePreparation::Kind ScenePreparation::kindOf(const Scene& scene, const View& 
           .method = hasCutaway(scene) || fadingOf(look) || wallsOf(look) || explosionOf(look) || maximumOf(look)
                         ? programsOf(look.method)
                         : ChosenMethod(),
-          .occluded = hasOcclusion(look),
+          .occluded = hasOcclusion(look) && view.occlusion,
           .contextLayer = look.contextLayer.strength > 0.0,
           .contextLines = look.contextLayer.strength > 0.0 && look.contextLayer.share < 1.0,
           .clipped = halfSpaces(look.clipping, scene.volume->grid).empty() && !explosionOf(look) ? 0
@@ -164,12 +164,14 @@ void ScenePreparation::warmUp(const std::vector<Focus>& kinds, Quality atRest, s
   for (const Focus& focus : kinds) {
     const Scene scene = sampleScene(focus);
     View view{.camera = Camera::standard(StandardView::Anterior, scene.volume->grid), .size = glm::ivec2(48)};
+    view.occlusion = false;  // the first picture, and those in motion
     samples_.push_back({scene, view});
     view.quality = Quality::Draft;
     samples_.push_back({scene, view});
+    view.occlusion = true;
     view.quality = atRest;
     view.maxError = maxError;
-    if (maxError || atRest == Quality::High) samples_.push_back({scene, view});
+    samples_.push_back({scene, view});
   }
   goOn();
 }

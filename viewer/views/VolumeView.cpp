@@ -353,6 +353,7 @@ View VolumeView::viewFor(Effort effort) const {
       .slices = dependsOnSlices(document_.look())
                     ? ShownSlices{cursor_.position(), document_.window(), document_.isInverted()}
                     : ShownSlices{},
+      .occlusion = effort == shared_.pacer->atRest(),
   };
 }
 
