@@ -150,7 +150,7 @@ std::string svg(const Chart& chart) {
   for (std::size_t i = 0; i < drawable.series.size(); ++i) {
     const ChartSeries& series = drawable.series[i];
     // Each ring is wider than the ones before, so that those of one place show.
-    drawSeries(out, series, colours[i % colours.size()], 5.0 + 2.5 * static_cast<double>(i), chart.y, x, y);
+    drawSeries(out, series, colours[i % colours.size()], 5.0 + 1.5 * static_cast<double>(i), chart.y, x, y);
     const double lx = left + static_cast<double>(i % 2) * width / 2;
     const double ly = bottom + 56.0 + legendRow * static_cast<double>(i / 2);
     out << "<rect x=\"" << lx << "\" y=\"" << ly - 9 << "\" width=\"22\" height=\"4\"/></g>\n<text x=\"" << lx + 28
