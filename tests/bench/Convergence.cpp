@@ -27,10 +27,6 @@ Options withoutHabits() {
   return options;
 }
 
-double degreesBetween(glm::dvec3 a, glm::dvec3 b) {
-  return glm::degrees(std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b)));
-}
-
 /// Scatter of the quality's error over 48 directions, against images four times as fine: differences below it are the
 /// images', not the focus's.
 double errorOfQuality(CandidateImages& images, const GpuScene& gpu, int side, const Options& options) {
@@ -174,6 +170,10 @@ std::string page(const std::vector<Convergence>& all, const std::string& gl) {
 }
 
 }  // namespace
+
+double degreesBetween(glm::dvec3 a, glm::dvec3 b) {
+  return glm::degrees(std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b)));
+}
 
 std::optional<int> settledFrom(const Convergence& measured, double Deviation::*deviation, double limit) {
   std::optional<int> from;

@@ -10,10 +10,15 @@
 #include <string>
 #include <vector>
 
+#include <glm/glm.hpp>
+
 #include "tests/bench/Chart.h"
 #include "tests/bench/PlacementSubjects.h"
 
 namespace fenestra::bench {
+
+/// The angle between two directions.
+double degreesBetween(glm::dvec3 a, glm::dvec3 b);
 
 /// N, each 12·nside².
 inline constexpr std::array<int, 10> candidateCounts{12, 48, 108, 192, 300, 432, 588, 768, 972, 1200};

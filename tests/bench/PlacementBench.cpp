@@ -25,7 +25,7 @@
 namespace fenestra {
 namespace {
 
-using bench::fixed, bench::tableHeader, bench::tableRow;
+using bench::degreesBetween, bench::fixed, bench::tableHeader, bench::tableRow;
 
 using namespace placement;
 using bench::Structure;
@@ -52,10 +52,6 @@ double timed(F&& f) {
     times.push_back(millisecondsSince(start));
   }
   return median(times);
-}
-
-double degreesBetween(glm::dvec3 a, glm::dvec3 b) {
-  return glm::degrees(std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b)));
 }
 
 /// The measures of a pair of cameras.
