@@ -23,6 +23,7 @@
 #include "rendering/placement/Placer.h"
 #include "rendering/scene/VisibleFraming.h"
 #include "tests/bench/MarkdownTable.h"
+#include "tests/bench/PlacementSubjects.h"
 #include "tests/support/TestData.h"
 
 namespace fenestra {
@@ -37,8 +38,6 @@ constexpr int gap = 6, margin = 24;   ///< pixels, the latter for captions
 constexpr int finer = 2;              ///< times finer is what is rendered and then averaged
 constexpr double zoom = 1.25;
 constexpr double usualWidth = 700.0;  ///< pixels of a picture that w_open refers to
-const std::string credit =
-    "BodyParts3D, © The Database Center for Life Science licensed under CC Attribution-Share Alike 2.1 Japan";
 
 struct Row {
   std::string name;
@@ -115,7 +114,7 @@ class Sheet {
     for (int c = 0; c < 4; ++c)
       painter_.drawText(QRect(left(c), 0, cell.x, margin), Qt::AlignCenter, QString::fromUtf8(captions[c]));
     painter_.drawText(QRect(0, page_.height() - margin, page_.width(), margin), Qt::AlignCenter,
-                      QString::fromStdString(credit));
+                      QString::fromUtf8(bench::bodyPartsCredit));
   }
 
   void add(const Row& row) {
@@ -164,7 +163,7 @@ class Sheet {
         << ". The paper's placement beside the one with habits (`rendering/viewpoints/Habits.h`), both with the joint "
            "search among 192 views and the standard ones.\n\n![A row for each structure; from left to right C1 and C2 "
            "of the paper's placement, then with habits](cameras.png)\n\n"
-        << credit
+        << bench::bodyPartsCredit
         << " (head, heart, aorta, hand, foot; changed: voxels with simulated values).\n\nA direction is the angle from "
            "the front to the patient's left, and the angle above the horizon. *cut*: how far the view comes in through "
            "cut ends, 1 straight through one, refused above ½; *share*: of the structure's surface that the two views "

@@ -17,6 +17,7 @@ constexpr std::array<const char*, 7> colours{"#4477aa", "#ee6677", "#228833", "#
                                              "#ccbb44", "#66ccee", "#777777"};
 // Pixels.
 constexpr double left = 64.0, top = 34.0, width = 560.0, height = 340.0, legendRow = 18.0;
+constexpr double right = left + width, bottom = top + height;
 
 /// From values to pixels along one axis, with its ticks.
 class Scale {
@@ -71,34 +72,33 @@ struct Range {
   }
 };
 
-}  // namespace
+bool isDrawable(double value, const Axis& axis) { return std::isfinite(value) && (!axis.logarithmic || value > 0.0); }
 
-std::string svg(const Chart& chart) {
-  const auto drawable = [](double value, const Axis& axis) {
-    return std::isfinite(value) && (!axis.logarithmic || value > 0.0);
-  };
-  Range xRange, yRange;
+/// What is drawn of a chart, and the values that its axes span.
+struct Drawable {
   std::vector<ChartSeries> series;
-  for (const ChartSeries& all : chart.series) {
-    ChartSeries drawn{all.name, {}};
-    for (const ChartPoint& point : all.points)
-      if (drawable(point.x, chart.x) && drawable(point.y, chart.y)) {
-        drawn.points.push_back(point);
-        xRange.take(point.x);
-        for (const double y : {point.y, point.low, point.high})
-          if (drawable(y, chart.y)) yRange.take(y);
-      }
-    series.push_back(std::move(drawn));
-  }
-  const double right = left + width, bottom = top + height;
-  const Scale x(chart.x.logarithmic, xRange.low, xRange.high, left, right);
-  const Scale y(chart.y.logarithmic, yRange.low, yRange.high, bottom, top);
+  Range x, y;
 
-  std::ostringstream out;
-  const double full = bottom + 56.0 + legendRow * std::ceil(static_cast<double>(series.size()) / 2.0);
-  out << "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 " << right + 30.0 << ' ' << full
-      << "\" font-family=\"sans-serif\" font-size=\"12\">\n<rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n"
-      << "<text x=\"" << left << "\" y=\"18\" font-size=\"14\">" << escaped(chart.title) << "</text>\n";
+  explicit Drawable(const Chart& chart) {
+    for (const ChartSeries& all : chart.series)
+      series.push_back({all.name, taken(all.points, chart), taken(all.apart, chart)});
+  }
+
+ private:
+  std::vector<ChartPoint> taken(const std::vector<ChartPoint>& points, const Chart& chart) {
+    std::vector<ChartPoint> drawn;
+    for (const ChartPoint& point : points) {
+      if (!isDrawable(point.x, chart.x) || !isDrawable(point.y, chart.y)) continue;
+      drawn.push_back(point);
+      x.take(point.x);
+      for (const double value : {point.y, point.low, point.high})
+        if (isDrawable(value, chart.y)) y.take(value);
+    }
+    return drawn;
+  }
+};
+
+void drawAxes(std::ostream& out, const Chart& chart, const Scale& x, const Scale& y) {
   for (const double tick : x.ticks())
     out << "<line x1=\"" << x(tick) << "\" x2=\"" << x(tick) << "\" y1=\"" << top << "\" y2=\"" << bottom
         << "\" stroke=\"#ddd\"/><text x=\"" << x(tick) << "\" y=\"" << bottom + 16 << "\" text-anchor=\"middle\">"
@@ -110,27 +110,51 @@ std::string svg(const Chart& chart) {
   out << "<text x=\"" << left + width / 2 << "\" y=\"" << bottom + 34 << "\" text-anchor=\"middle\">"
       << escaped(chart.x.title) << "</text>\n<text transform=\"translate(14 " << top + height / 2
       << ") rotate(-90)\" text-anchor=\"middle\">" << escaped(chart.y.title) << "</text>\n";
-  for (std::size_t i = 0; i < series.size(); ++i) {
-    const char* colour = colours[i % colours.size()];
-    out << "<g stroke=\"" << colour << "\" fill=\"none\" stroke-width=\"1.5\">\n<polyline points=\"";
-    for (const ChartPoint& point : series[i].points) out << x(point.x) << ',' << y(point.y) << ' ';
-    out << "\"/>\n";
-    for (const ChartPoint& point : series[i].points)
-      if (point.low != point.high && drawable(point.low, chart.y) && drawable(point.high, chart.y))
-        out << "<line x1=\"" << x(point.x) << "\" x2=\"" << x(point.x) << "\" y1=\"" << y(point.low) << "\" y2=\""
-            << y(point.high) << "\"/>\n";
-    out << "</g>\n<g fill=\"" << colour << "\">\n";
-    for (const ChartPoint& point : series[i].points) {
-      out << "<circle cx=\"" << x(point.x) << "\" cy=\"" << y(point.y) << "\" r=\"3.5\"/>";
-      if (!point.label.empty())
-        out << "<text font-size=\"10\" x=\"" << x(point.x) + 5 << "\" y=\"" << y(point.y) - 5 << "\">"
-            << escaped(point.label) << "</text>";
-      out << '\n';
-    }
+}
+
+/// `ring`: the radius of the points apart, pixels.
+void drawSeries(std::ostream& out, const ChartSeries& series, const char* colour, double ring, const Axis& yAxis,
+                const Scale& x, const Scale& y) {
+  out << "<g stroke=\"" << colour << "\" fill=\"none\" stroke-width=\"1.5\">\n<polyline points=\"";
+  for (const ChartPoint& point : series.points) out << x(point.x) << ',' << y(point.y) << ' ';
+  out << "\"/>\n";
+  for (const ChartPoint& point : series.points)
+    if (point.low != point.high && isDrawable(point.low, yAxis) && isDrawable(point.high, yAxis))
+      out << "<line x1=\"" << x(point.x) << "\" x2=\"" << x(point.x) << "\" y1=\"" << y(point.low) << "\" y2=\""
+          << y(point.high) << "\"/>\n";
+  for (const ChartPoint& point : series.apart)
+    out << "<circle cx=\"" << x(point.x) << "\" cy=\"" << y(point.y) << "\" r=\"" << ring << "\"/>\n";
+  out << "</g>\n<g fill=\"" << colour << "\">\n";
+  for (const ChartPoint& point : series.points) {
+    out << "<circle cx=\"" << x(point.x) << "\" cy=\"" << y(point.y) << "\" r=\"3.5\"/>";
+    if (!point.label.empty())
+      out << "<text font-size=\"10\" x=\"" << x(point.x) + 5 << "\" y=\"" << y(point.y) - 5 << "\">"
+          << escaped(point.label) << "</text>";
+    out << '\n';
+  }
+}
+
+}  // namespace
+
+std::string svg(const Chart& chart) {
+  const Drawable drawable(chart);
+  const Scale x(chart.x.logarithmic, drawable.x.low, drawable.x.high, left, right);
+  const Scale y(chart.y.logarithmic, drawable.y.low, drawable.y.high, bottom, top);
+
+  std::ostringstream out;
+  const double full = bottom + 56.0 + legendRow * std::ceil(static_cast<double>(drawable.series.size()) / 2.0);
+  out << "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 " << right + 30.0 << ' ' << full
+      << "\" font-family=\"sans-serif\" font-size=\"12\">\n<rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n"
+      << "<text x=\"" << left << "\" y=\"18\" font-size=\"14\">" << escaped(chart.title) << "</text>\n";
+  drawAxes(out, chart, x, y);
+  for (std::size_t i = 0; i < drawable.series.size(); ++i) {
+    const ChartSeries& series = drawable.series[i];
+    // Each ring is wider than the ones before, so that those of one place show.
+    drawSeries(out, series, colours[i % colours.size()], 5.0 + 1.5 * static_cast<double>(i), chart.y, x, y);
     const double lx = left + static_cast<double>(i % 2) * width / 2;
     const double ly = bottom + 56.0 + legendRow * static_cast<double>(i / 2);
     out << "<rect x=\"" << lx << "\" y=\"" << ly - 9 << "\" width=\"22\" height=\"4\"/></g>\n<text x=\"" << lx + 28
-        << "\" y=\"" << ly - 2 << "\">" << escaped(series[i].name) << "</text>\n";
+        << "\" y=\"" << ly - 2 << "\">" << escaped(series.name) << "</text>\n";
   }
   out << "</svg>\n";
   return out.str();

@@ -15,6 +15,7 @@ struct ChartPoint {
 struct ChartSeries {
   std::string name;
   std::vector<ChartPoint> points;
+  std::vector<ChartPoint> apart{};  ///< drawn as rings and not joined by the line
 };
 
 struct Axis {

@@ -4,63 +4,32 @@
 //
 // figures: the adaptive cutaway as in the method's Figures 4, 5 and 8: plain, w_open 0, w_open 24, with the context
 // layer, with the border, and with both and brushed (tests/bench/figures has the strokes); with occlusion and
-// soft shadow.
+// soft shadow. The last row is its Figure 6, for a hand and a foot: C1, then C2 in the half sphere and in the band
+// around it.
 // look: reconstruction, smooth surfaces of labels, occlusion and soft shadow, one by one and together.
 // methods: every method at its defaults.
 // defaults: what data open with, beside the plain look.
 
 #include <algorithm>
 #include <filesystem>
-#include <functional>
 #include <iostream>
-#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include <CLI/CLI.hpp>
 #include <QGuiApplication>
-#include <QImage>
-#include <QPainter>
 
-#include "io/study/ReadStudy.h"
-#include "rendering/Renderer.h"
-#include "rendering/egl/EglContext.h"
-#include "rendering/gpu/GpuScene.h"
 #include "tests/bench/MethodVariants.h"
+#include "tests/bench/Sheet.h"
 #include "tests/support/TestData.h"
 
-namespace fenestra {
+namespace fenestra::bench {
 namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int gap = 6;                        ///< pixels between cells
-constexpr int margin = 24;                    ///< pixels for captions
-constexpr int finer = 3;                      ///< times finer is what is rendered and then averaged
-constexpr double methodPictureWidth = 700.0;  ///< the method's pictures, which w_open of 24 px refers to
-
 const fs::path figures = FENESTRA_FIGURES;
-
-struct Row {
-  std::string name, caption;
-  io::StudyRequest options;
-  double zoom = 1.0;
-  double raise = 0.0;  ///< mm that the camera is moved up
-};
-
-struct Column {
-  std::string name, caption;
-  std::function<void(Look&)> apply;
-  bool startsPlain = true;  ///< from the plain look, not from what the data open with
-};
-
-struct Sheet {
-  std::vector<Row> rows;
-  std::vector<Column> columns;
-  QSize cell;
-  bool hasCaptions = true;
-};
 
 /// Collects rows; leaves out those whose data is not there, and says so.
 class Rows {
@@ -126,6 +95,16 @@ const fs::path brainMr = "labelled/brain-colin27/ch2.nii.gz", brainLabels = "lab
 const fs::path chestCt = "labelled/slicer-ctchest/CTChest4.nrrd";
 const fs::path chestLabels = "labelled/slicer-ctchest/Segmentation.seg.nrrd";
 constexpr ValueRange skull{0.5, 1.0};  ///< bone of headCt, in the file's own scale
+const std::vector<std::string> carpus{"143", "144", "145", "146", "147", "148", "149", "150"};  ///< of the hand
+const std::vector<std::string> hindfoot{"146", "152"};  ///< calcaneus and talus, of the foot
+
+/// One of the volumes that BodyParts3D's meshes were made into.
+void body(Rows& rows, const std::string& region, const std::string& structures, std::vector<std::string> focus,
+          io::ViewAngles camera) {
+  const std::string start = "labelled/bodyparts3d/" + region + "/" + region;
+  rows.labelled("bodyparts-" + region, "BodyParts3D: " + region + structures, start + "_ct.nii.gz",
+                start + "_seg.nii.gz", std::move(focus), camera, 1.0);
+}
 
 void head(Rows& rows) {
   rows.ranged("head", "CT head: skull", headCt, skull, {55.0, 5.0}, 1.25);
@@ -149,6 +128,17 @@ Sheet figureSheet() {
   rows.labelled("labelled", "CT torso: kidneys, aorta", torsoCt, torsoLabels, {"2", "3", "52"}, {180.0, 10.0}, 1.0,
                 50.0);
   finish("labelled", "labelled-strokes.json", 1.35, Reconstruction::Smoother);
+  if (Row* row = rows.last("labelled"))
+    row->options.labelChanges.colours = {{"2", {0.62, 0.25, 0.2}}, {"3", {0.62, 0.25, 0.2}}, {"52", {0.75, 0.12, 0.1}}};
+  const auto finishBody = [&](const std::string& region) {
+    const std::string name = "bodyparts-" + region;
+    finish(name, region + "-strokes.json", 1.0, Reconstruction::Linear);
+    if (Row* row = rows.last(name)) row->options.transferFunction = "ct-soft-tissue";
+  };
+  body(rows, "hand", ": carpus", carpus, {0.0, 0.0});
+  finishBody("hand");
+  body(rows, "foot", ": talus, calcaneus", hindfoot, {270.0, 10.0});
+  finishBody("foot");
 
   const auto column = [](const std::string& name, const std::string& ready, double openWidth, bool hasStrokes = false) {
     return Column{name, name, [=](Look& look) {
@@ -164,11 +154,18 @@ Sheet figureSheet() {
                     if (!hasStrokes) look.strokes.clear();
                   }};
   };
-  return {rows.take(),
-          {column("plain", "bare", 0.0), column("open-0", "bare", 0.0), column("open-24", "bare", 24.0),
-           column("context", "context", 24.0), column("border", "border", 24.0), column("brushed", "full", 24.0, true)},
-          {256, 238},
-          false};
+  Sheet sheet{
+      rows.take(),
+      {column("plain", "bare", 0.0), column("open-0", "bare", 0.0), column("open-24", "bare", 24.0),
+       column("context", "context", 24.0), column("border", "border", 24.0), column("brushed", "full", 24.0, true)},
+      {256, 238},
+      false};
+  for (Row row : sheet.rows) {
+    if (!row.name.starts_with("bodyparts-")) continue;
+    row.options.strokes.clear();
+    sheet.placed.push_back(std::move(row));
+  }
+  return sheet;
 }
 
 Sheet lookSheet() {
@@ -210,19 +207,10 @@ Sheet methodSheet() {
   rows.labelled("kidneys", "CT torso: kidneys", torsoCt, torsoLabels, {"2", "3"}, {180.0, 10.0}, 1.3);
   rows.labelled("aorta", "CT torso: aorta", torsoCt, torsoLabels, {"52"}, {40.0, 5.0}, 1.3);
   Sheet sheet{rows.take(), {}, {200, 186}};
-  for (const bench::MethodVariant& variant : bench::methodVariants())
+  for (const MethodVariant& variant : methodVariants())
     sheet.columns.push_back(
         {variant.name, variant.caption, [method = variant.method](Look& look) { look.method = method; }});
   return sheet;
-}
-
-/// The side of the patient (LPS) that a camera looks at. A layer is peeled off a side whatever the camera does, so each
-/// row has it peeled off there.
-PeelSide sideTowards(const Camera& camera) {
-  const glm::dvec3 towards = camera.eye - camera.target, size = glm::abs(towards);
-  if (size.z > std::max(size.x, size.y)) return towards.z > 0.0 ? PeelSide::Superior : PeelSide::Inferior;
-  if (size.x > size.y) return towards.x > 0.0 ? PeelSide::Left : PeelSide::Right;
-  return towards.y > 0.0 ? PeelSide::Posterior : PeelSide::Anterior;
 }
 
 Sheet defaultsSheet() {
@@ -239,87 +227,16 @@ Sheet defaultsSheet() {
                 "labelled/elastix-lung/3DCT_lung_baseline_mask.mha", {"1"}, {0.0, 0.0}, 1.0);
   rows.labelled("brain", "MR T1: hippocampus", brainMr, brainLabels, {"37", "38"}, {90.0, 20.0}, 1.0);
   rows.whole("mr", "MR head, 5 mm", "visible-human/vm_head_mri.mha", {40.0, 10.0});
-  const auto body = [&](const std::string& region, std::vector<std::string> focus, io::ViewAngles camera) {
-    const std::string start = "labelled/bodyparts3d/" + region + "/" + region;
-    rows.labelled("bodyparts-" + region, "BodyParts3D: " + region, start + "_ct.nii.gz", start + "_seg.nii.gz",
-                  std::move(focus), camera, 1.0);
-  };
-  body("hand", {"120", "121"}, {0.0, 0.0});
-  body("foot", {"119", "120"}, {60.0, 10.0});
-  body("head", {"135", "137"}, {60.0, 5.0});
-  body("torso", {"2", "3", "52"}, {20.0, 5.0});
+  body(rows, "hand", "", {"120", "121"}, {0.0, 0.0});
+  body(rows, "foot", "", {"119", "120"}, {60.0, 10.0});
+  body(rows, "head", "", {"135", "137"}, {60.0, 5.0});
+  body(rows, "torso", "", {"2", "3", "52"}, {20.0, 5.0});
   rows.ranged("ge", "CT, uneven slices", "dicom/ct-tilt-irregular-ge", {300.0, 3000.0}, {40.0, 10.0}, 1.0);
   return {rows.take(), {{"before", "Plain", [](Look&) {}}, {"after", "As data open", [](Look&) {}, false}}, {260, 242}};
 }
 
-/// One row's pictures, from left to right.
-std::vector<QImage> drawn(const Row& row, const Sheet& sheet) {
-  const bool hasBoth =
-      std::any_of(sheet.columns.begin(), sheet.columns.end(), [](const Column& column) { return !column.startsPlain; });
-  io::StudyRequest plainly = row.options;
-  if (hasBoth) {
-    plainly.makePlain();
-    plainly.look.background = row.options.look.background;
-  }
-  const io::Study study = io::readStudy(plainly), starting = hasBoth ? io::readStudy(row.options) : study;
-  View view = *study.view;
-  view.camera = view.camera.zoomed(row.zoom).panned(0.0, row.raise);
-  view.size = finer * glm::ivec2(sheet.cell.width(), sheet.cell.height());
-  view.pixelScale = view.size.x / methodPictureWidth;
-  view.quality = Quality::High;
-  Renderer renderer(std::make_shared<GpuScene>());
-  std::vector<QImage> pictures;
-  for (const Column& column : sheet.columns) {
-    Scene scene = (column.startsPlain ? study : starting).drawn.scene();
-    column.apply(scene.look);
-    scene.look.method.of<methods::Peel>().side = sideTowards(view.camera);
-    renderer.render(scene, view);
-    const std::vector<std::uint8_t> pixels = renderer.readPicture();
-    pictures.push_back(
-        QImage(pixels.data(), view.size.x, view.size.y, 4 * view.size.x, QImage::Format_RGBX8888).copy());
-  }
-  return pictures;
-}
-
-void draw(const Sheet& sheet, const fs::path& output, const fs::path& folder) {
-  const egl::EglContext context;
-  const QSize cell = sheet.cell, step = cell + QSize(gap, gap);
-  const int edge = sheet.hasCaptions ? margin : 0;
-  const auto columns = static_cast<int>(sheet.columns.size()), rows = static_cast<int>(sheet.rows.size());
-  QImage page(edge + columns * step.width() - gap, edge + rows * step.height() - gap, QImage::Format_RGB888);
-  page.fill(Qt::white);
-  QPainter painter(&page);
-  painter.setPen(Qt::black);
-  const auto save = [](const QImage& image, const fs::path& path) {
-    if (!image.save(QString::fromStdString(path.string())))
-      throw std::runtime_error(path.string() + ": cannot be written");
-  };
-  for (int r = 0; r < rows; ++r) {
-    const Row& row = sheet.rows[static_cast<std::size_t>(r)];
-    const std::vector<QImage> pictures = drawn(row, sheet);
-    for (int c = 0; c < columns; ++c) {
-      const Column& column = sheet.columns[static_cast<std::size_t>(c)];
-      const QRect place(QPoint(edge + c * step.width(), edge + r * step.height()), cell);
-      const QImage& picture = pictures[static_cast<std::size_t>(c)];
-      painter.drawImage(place, picture.scaled(cell, Qt::IgnoreAspectRatio, Qt::SmoothTransformation));
-      if (r == 0 && edge > 0)
-        painter.drawText(QRect(place.left(), 0, cell.width(), edge), Qt::AlignCenter,
-                         QString::fromStdString(column.caption));
-      if (!folder.empty()) save(picture, folder / (row.name + "-" + column.name + ".png"));
-    }
-    if (edge == 0) continue;
-    painter.save();
-    painter.translate(0, edge + r * step.height() + cell.height());
-    painter.rotate(-90.0);
-    painter.drawText(QRect(0, 0, cell.height(), edge), Qt::AlignCenter, QString::fromStdString(row.caption));
-    painter.restore();
-  }
-  painter.end();
-  save(page, output);
-}
-
 }  // namespace
-}  // namespace fenestra
+}  // namespace fenestra::bench
 
 int main(int argc, char** argv) {
   CLI::App program{"Draws scenes in several ways on one sheet.", "picture-sheet"};
@@ -332,7 +249,7 @@ int main(int argc, char** argv) {
   qputenv("QT_QPA_PLATFORM", "offscreen");
   const QGuiApplication application(argc, argv);
   try {
-    using namespace fenestra;
+    using namespace fenestra::bench;
     draw(sheet == "figures"    ? figureSheet()
          : sheet == "look"     ? lookSheet()
          : sheet == "defaults" ? defaultsSheet()

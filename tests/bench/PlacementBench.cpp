@@ -1,4 +1,4 @@
-// Measures dual-camera placement on the phantoms and the real-data collection, and writes a page and a plot.
+// Measures dual-camera placement on the phantoms and the real-data collection, and writes pages and charts.
 
 #include <algorithm>
 #include <chrono>
@@ -17,6 +17,7 @@
 #include "rendering/egl/EglContext.h"
 #include "rendering/placement/Placer.h"
 #include "rendering/viewpoints/Sphere.h"
+#include "tests/bench/Convergence.h"
 #include "tests/bench/DescriptorsPage.h"
 #include "tests/bench/MarkdownTable.h"
 #include "tests/bench/PlacementSubjects.h"
@@ -24,14 +25,12 @@
 namespace fenestra {
 namespace {
 
-using bench::fixed, bench::tableHeader, bench::tableRow;
+using bench::degreesBetween, bench::fixed, bench::tableHeader, bench::tableRow;
 
 using namespace placement;
 using bench::Structure;
 
-constexpr int convergedCount = 12288;
 constexpr int manyPoints = 16384;
-const std::vector<int> counts{12, 48, 108, 192, 300, 432, 588, 768, 972, 1200};
 
 double millisecondsSince(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
@@ -55,15 +54,6 @@ double timed(F&& f) {
   return median(times);
 }
 
-double degreesBetween(glm::dvec3 a, glm::dvec3 b) {
-  return glm::degrees(std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b)));
-}
-
-/// Angles to the converged answer, and how much of its qualities is lost.
-struct Deviation {
-  double c1 = 0.0, c2 = 0.0, lost = 0.0, lostByC2 = 0.0;
-};
-
 /// The measures of a pair of cameras.
 struct PairMeasures {
   double degrees = 0.0;  ///< between C1 and C2
@@ -78,13 +68,8 @@ struct Row {
   std::string name;
   PairMeasures before, after;        ///< the search and weights before end faces were measured, and the defaults
   std::vector<PairMeasures> trials;  ///< for each of trialOptions()
-  std::vector<Deviation> brute;      ///< for each of `counts`
-  Deviation refined;
-  std::size_t refinedImages = 0;
-  int side = 0;               ///< pixels of the images
-  double error = 0.0;         ///< of qualities, by images four times as fine
-  std::vector<double> times;  ///< ms, for each of `counts`
-  double jointByMore = 0.0;   ///< joint, looked at with `manyPoints`
+  std::vector<double> times;         ///< ms, for each of candidateCounts
+  double jointByMore = 0.0;          ///< joint, looked at with `manyPoints`
   double standard = 0.0, stream = 0.0, semiSphere = 0.0, jointStream = 0.0, joint = 0.0;
   double measure = 0.0, images = 0.0, refine = 0.0, choose = 0.0, chooseJoint = 0.0, chooseJointOfMany = 0.0;
   double dual = 0.0, ends = 0.0;
@@ -133,23 +118,6 @@ PairMeasures formerPair(const Measured& measured) {
   return measuresOf(measured, c1, c2);
 }
 
-/// Scatter of the quality's error over 48 directions, against images four times as fine: differences below it are the
-/// images', not the focus's.
-double errorOfQuality(CandidateImages& images, const GpuScene& gpu, int side, const Options& options) {
-  const std::vector<glm::dvec3> directions = ringDirections(2);
-  const std::vector<Candidate> coarse = images.measure(gpu, directions, {}, side, true);
-  const std::vector<Candidate> fine = images.measure(gpu, directions, {}, 4 * side, true);
-  double sum = 0.0, squares = 0.0;
-  for (std::size_t i = 0; i < directions.size(); ++i) {
-    const double error =
-        quality(coarse[i].descriptors, options.weights) - quality(fine[i].descriptors, options.weights);
-    sum += error;
-    squares += error * error;
-  }
-  const double count = static_cast<double>(directions.size());
-  return std::sqrt(std::max(0.0, squares / count - sum / count * (sum / count)));
-}
-
 Row measureStructure(const Structure& structure) {
   const io::Study study = io::readStudy(structure.scene);
   GpuScene gpu;
@@ -159,29 +127,12 @@ Row measureStructure(const Structure& structure) {
 
   CandidateImages images;
   const int side = CandidateImages::sideFor(gpu);
-  const Options options;
-  row.side = side;
-  row.error = errorOfQuality(images, gpu, side, options);
-  const std::vector<Candidate> converged = images.measure(gpu, ringDirections(*sideOf(convergedCount)), {}, side, true);
-  const Candidate& best = converged[bestView(converged, options).value()];
-  const Candidate& dual = converged[dualView(converged, best.direction, options).value()];
-  const auto deviation = [&](const std::vector<Candidate>& candidates) {
-    const Candidate& c1 = candidates[bestView(candidates, options).value()];
-    const auto c2 = dualView(candidates, c1.direction, options);
-    const auto lost = [&](const Candidate& from, const Candidate& to) {
-      return quality(from.descriptors, options.weights) - quality(to.descriptors, options.weights);
-    };
-    return c2 ? Deviation{degreesBetween(best.direction, c1.direction),
-                          degreesBetween(dual.direction, candidates[*c2].direction), lost(best, c1),
-                          lost(dual, candidates[*c2])}
-              : Deviation{degreesBetween(best.direction, c1.direction), 180.0, lost(best, c1), 0.0};
-  };
-  for (const int count : counts) {
+  for (const int count : bench::candidateCounts) {
     const auto start = std::chrono::steady_clock::now();
-    const std::vector<Candidate> candidates = images.measure(gpu, ringDirections(*sideOf(count)), {}, side, true);
+    images.measure(gpu, ringDirections(*sideOf(count)), {}, side, true);
     row.times.push_back(millisecondsSince(start));
-    row.brute.push_back(deviation(candidates));
   }
+  const Options options;
   Placer placer;
   Sampling sampling;
   const auto measureAnew = [&] {
@@ -190,12 +141,6 @@ Row measureStructure(const Structure& structure) {
   };
   sampling.refined = true;
   row.refine = timed(measureAnew);
-  const Measured refined = placer.measured();
-  const auto candidate = [&](std::size_t index) {
-    return refined.candidates.begin() + static_cast<std::ptrdiff_t>(index);
-  };
-  row.refined = deviation({candidate(refined.coarser), candidate(refined.spread)});
-  row.refinedImages = refined.spread;
   sampling.refined = false;
   row.measure = timed(measureAnew);
   row.images = timed([&] { images.measure(gpu, ringDirections(4), {}, side); });
@@ -252,20 +197,6 @@ Scaled measureScaled(int voxels) {
                   placer.measure(gpu, study.drawn.scene(), {}, {});
                 })};
   return scaled;
-}
-
-std::string angleTable(const std::vector<Row>& rows, double Deviation::*angle) {
-  std::vector<std::string> cells{"N"};
-  for (const int count : counts) cells.push_back(std::to_string(count));
-  cells.push_back("refined");
-  std::string table = tableHeader(cells);
-  for (const Row& row : rows) {
-    cells = {row.name};
-    for (const Deviation& d : row.brute) cells.push_back(fixed(d.*angle, 1));
-    cells.push_back(fixed(row.refined.*angle, 2) + " (" + std::to_string(row.refinedImages) + ")");
-    table += tableRow(cells);
-  }
-  return table;
 }
 
 /// Every second structure of the list, on which weights are chosen; the others show how well those do.
@@ -350,19 +281,7 @@ std::string page(const std::vector<Row>& rows, const std::vector<Scaled>& scalin
   out << "# Dual-camera placement, measured\n\nWritten by `placement-bench` (build target of that name) on " << gl
       << ". Default weights and region (semi-sphere), candidate images of " << defaultImageSide
       << "² over the model (finer by a whole factor where the focus is small), surface shares over "
-      << Sampling().surfacePoints
-      << " points.\n\n## How many directions\n\nDegrees from the answer of N = 12288, for growing N and for the "
-         "hierarchical refinement (its number of images in brackets), all by the same measure. Seen in parallel "
-         "projection, opposite sides have the same outline: angles near 180° are the opposite of an equally good "
-         "view.\n\n![Angle to the converged answer against N](placement.svg)\n\nC1:\n\n"
-      << angleTable(rows, &Deviation::c1) << "\nC2:\n\n"
-      << angleTable(rows, &Deviation::c2)
-      << "\nQuality lost to the converged answer. *Error*: scatter of the qualities against images four times as fine; "
-         "what is below it is a tie.\n\n";
-  out << tableHeader({"structure", "image", "error", "C1, N = 192", "C1, N = 1200", "C1, refined", "C2, refined"});
-  for (const Row& row : rows)
-    out << tableRow({row.name, std::to_string(row.side) + "²", fixed(row.error, 5), fixed(row.brute[3].lost, 5),
-                     fixed(row.brute.back().lost, 5), fixed(row.refined.lost, 5), fixed(row.refined.lostByC2, 5)});
+      << Sampling().surfacePoints << " points. How many directions it takes: [convergence.md](convergence.md).\n";
   out << "\n## Share of the focus's surface that the pair sees\n\nN = 192 and the six standard views. *checked*: the "
          "joint search's pair looked at with "
       << manyPoints << " points.\n\n"
@@ -382,7 +301,7 @@ std::string page(const std::vector<Row>& rows, const std::vector<Scaled>& scalin
                      fixed(row.dual, 2)});
   out << "\n## Scaling\n\nMilliseconds for N candidate images, one run each.\n\n";
   std::vector<std::string> cells{"N"};
-  for (const int count : counts) cells.push_back(std::to_string(count));
+  for (const int count : bench::candidateCounts) cells.push_back(std::to_string(count));
   out << tableHeader(cells);
   for (const Row& row : rows) {
     cells = {row.name};
@@ -400,55 +319,15 @@ std::string page(const std::vector<Row>& rows, const std::vector<Scaled>& scalin
   return out.str();
 }
 
-/// Two panels, C1 and C2: angle (square-root scale, so that a degree shows) over N (logarithmic); refined on the right.
-std::string plot(const std::vector<Row>& rows) {
-  constexpr double left = 50.0, panelWidth = 330.0, gap = 60.0, top = 30.0, height = 280.0;
-  const std::vector<std::string> colours{"#4477aa", "#ee6677", "#228833", "#ccbb44", "#66ccee",
-                                         "#aa3377", "#777777", "#994455", "#004488", "#bb5566"};
-  std::ostringstream svg;
-  const double full = left + 2.0 * panelWidth + gap + 20.0;
-  svg << "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 " << full << " " << top + height + 60.0 + 18.0 * 5
-      << "\" font-family=\"sans-serif\" font-size=\"12\">\n<rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n";
-  const auto yOf = [&](double degrees) { return top + height * (1.0 - std::sqrt(std::min(degrees, 180.0) / 180.0)); };
-  for (int panel = 0; panel < 2; ++panel) {
-    const double x0 = left + panel * (panelWidth + gap);
-    const auto xOf = [&](double count) { return x0 + panelWidth * std::log(count / 10.0) / std::log(250.0); };
-    const double refinedX = x0 + panelWidth - 12.0;
-    svg << "<text x=\"" << x0 << "\" y=\"18\">C" << panel + 1 << ": degrees to the converged answer</text>\n";
-    for (const double degrees : {0.0, 1.0, 5.0, 15.0, 45.0, 90.0, 180.0})
-      svg << "<line x1=\"" << x0 << "\" x2=\"" << x0 + panelWidth << "\" y1=\"" << yOf(degrees) << "\" y2=\""
-          << yOf(degrees) << "\" stroke=\"#ddd\"/><text x=\"" << x0 - 6 << "\" y=\"" << yOf(degrees) + 4
-          << "\" text-anchor=\"end\">" << degrees << "</text>\n";
-    for (const int count : {12, 48, 192, 432, 1200})
-      svg << "<text x=\"" << xOf(count) << "\" y=\"" << top + height + 18 << "\" text-anchor=\"middle\">" << count
-          << "</text>\n";
-    svg << "<text x=\"" << refinedX << "\" y=\"" << top + height + 34 << "\" text-anchor=\"middle\">refined</text>\n";
-    for (std::size_t r = 0; r < rows.size(); ++r) {
-      const std::string& colour = colours[r % colours.size()];
-      const auto angleOf = [&](const Deviation& d) { return panel == 0 ? d.c1 : d.c2; };
-      svg << "<polyline fill=\"none\" stroke=\"" << colour << "\" points=\"";
-      for (std::size_t i = 0; i < counts.size(); ++i)
-        svg << xOf(counts[i]) << "," << yOf(angleOf(rows[r].brute[i])) << " ";
-      svg << "\"/>\n<circle r=\"4\" fill=\"" << colour << "\" cx=\"" << refinedX << "\" cy=\""
-          << yOf(angleOf(rows[r].refined)) << "\"/>\n";
-    }
-  }
-  for (std::size_t r = 0; r < rows.size(); ++r) {
-    const double x = left + static_cast<double>(r % 2) * (panelWidth + gap),
-                 y = top + height + 60.0 + 18.0 * static_cast<double>(r / 2);
-    svg << "<line x1=\"" << x << "\" x2=\"" << x + 24 << "\" y1=\"" << y - 4 << "\" y2=\"" << y - 4 << "\" stroke=\""
-        << colours[r % colours.size()] << "\" stroke-width=\"3\"/><text x=\"" << x + 30 << "\" y=\"" << y << "\">"
-        << rows[r].name << "</text>\n";
-  }
-  svg << "</svg>\n";
-  return svg.str();
-}
+/// The pages that the program can write alone.
+enum class Only { Nothing, Descriptors, Convergence };
 
-int run(const std::filesystem::path& folder, const std::string& part, bool onlyDescriptors) {
+int run(const std::filesystem::path& folder, const std::string& part, Only only) {
   egl::EglContext context;
   std::filesystem::create_directories(folder);
-  bench::writeDescriptorsPage(folder, part, context.description());
-  if (onlyDescriptors) return 0;
+  if (only != Only::Convergence) bench::writeDescriptorsPage(folder, part, context.description());
+  if (only != Only::Descriptors) bench::writeConvergencePage(folder, part, context.description());
+  if (only != Only::Nothing) return 0;
   std::vector<Scaled> scaling;
   if (part.empty())
     for (const int voxels : {128, 256, 512}) scaling.push_back(measureScaled(voxels));
@@ -457,13 +336,9 @@ int run(const std::filesystem::path& folder, const std::string& part, bool onlyD
     if (structure.name.find(part) == std::string::npos) continue;
     const auto start = std::chrono::steady_clock::now();
     rows.push_back(measureStructure(structure));
-    const Row& row = rows.back();
-    std::cerr << row.name << ": " << fixed(millisecondsSince(start) / 1000.0, 1) << " s; refined C1 " << row.refined.c1
-              << "°, C2 " << row.refined.c2 << "°, lost " << row.refined.lost << ", " << row.refinedImages
-              << " images\n";
+    std::cerr << structure.name << ": " << fixed(millisecondsSince(start) / 1000.0, 1) << " s\n";
     // Written after each, so that a run that is cut short leaves its results so far.
     std::ofstream(folder / "placement.md") << page(rows, scaling, context.description());
-    std::ofstream(folder / "placement.svg") << plot(rows);
   }
   return 0;
 }
@@ -472,16 +347,23 @@ int run(const std::filesystem::path& folder, const std::string& part, bool onlyD
 }  // namespace fenestra
 
 int main(int argc, char** argv) {
-  CLI::App program{"Measures dual-camera placement; writes placement.md, placement.svg and descriptors.md.",
-                   "placement-bench"};
+  CLI::App program{
+      "Measures dual-camera placement; writes placement.md, descriptors.md, and convergence.md with its charts.",
+      "placement-bench"};
   std::string folder, part;
-  bool onlyDescriptors = false;
+  bool onlyDescriptors = false, onlyConvergence = false;
   program.add_flag("--only-descriptors", onlyDescriptors, "descriptors.md alone");
-  program.add_option("FOLDER", folder, "where the page and its plot go")->required();
+  program.add_flag("--only-convergence", onlyConvergence, "convergence.md and its charts alone")
+      ->excludes("--only-descriptors");
+  program.add_option("FOLDER", folder, "where the pages and charts go")->required();
   program.add_option("PART", part, "only the structures whose names hold this");
   CLI11_PARSE(program, argc, argv);
+  using fenestra::Only;
   try {
-    return fenestra::run(folder, part, onlyDescriptors);
+    return fenestra::run(folder, part,
+                         onlyDescriptors   ? Only::Descriptors
+                         : onlyConvergence ? Only::Convergence
+                                           : Only::Nothing);
   } catch (const std::exception& error) {
     std::cerr << "placement-bench: " << error.what() << '\n';
     return 1;
