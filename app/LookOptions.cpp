@@ -105,10 +105,9 @@ void addLookOptions(Command command, io::StudyRequest& request) {
   for (const OpeningLook& each : openingLooks()) looks.append("|").append(each.id);
   command.add(
       "--look", looks + "|FILE.json",
-      "starting is what the window opens new data in, plain has no smoothing, occlusion and shadow, bare neither "
-      "border "
-      "and edges; others: context layer and border ready made; or a preset that was saved, with its transfer function, "
-      "light and all",
+      "starting is what the window opens new data in, plain has no smoothing, occlusion and shadow, bare has no border "
+      "and edges either; others: context layer and border ready made; or a preset that was saved, with its transfer "
+      "function, light and all",
       [&](const std::string& text) {
         if (std::filesystem::path(text).extension() == ".json") {
           request.preset = io::readLook(text);

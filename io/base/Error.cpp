@@ -28,4 +28,8 @@ Error::Error(std::filesystem::path file, std::string cause, WayOut way)
   way_ = way;
 }
 
+void refuseDamaged(const std::filesystem::path& file, const std::string& cause) {
+  throw Error(file, cause, "the file is damaged; get it again from its source");
+}
+
 }  // namespace fenestra::io

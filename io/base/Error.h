@@ -28,6 +28,9 @@ class Error : public std::runtime_error {
   WayOut way_ = WayOut::None;
 };
 
+/// Throws the Error of a file that contradicts itself or its format; `cause` says in what.
+[[noreturn]] void refuseDamaged(const std::filesystem::path& file, const std::string& cause);
+
 /// The file does not say how large its voxels are, and nobody has: OpenOptions::spacing says it.
 class SpacingMissing : public Error {
  public:

@@ -13,10 +13,6 @@ namespace fenestra::io {
 namespace fs = std::filesystem;
 namespace {
 
-[[noreturn]] void refuseContours(const fs::path& path, const std::string& cause) {
-  throw Error(path, cause, "the file is damaged; get it again from its source");
-}
-
 /// The text of Contour Data. A contour of more than 64 KiB fits no explicit DS; such files say UN.
 std::string contourText(DcmItem& contour) {
   DcmElement* element = nullptr;
@@ -73,11 +69,11 @@ std::vector<Structure> structuresIn(DcmDataset& dataset, const fs::path& path) {
     structure.number = integerOf(item, DCM_ROINumber).value_or(-1);
     structure.label.name = typedTextOf(item, DCM_ROIName, &dataset);
     if (!numbers.insert(structure.number).second)
-      refuseContours(path, "two of its structures have the number " + std::to_string(structure.number));
+      refuseDamaged(path, "two of its structures have the number " + std::to_string(structure.number));
     structures.push_back(std::move(structure));
   });
-  if (structures.empty()) refuseContours(path, "it describes no structures");
-  if (structures.size() > greatestLabel) refuseContours(path, "it has more structures than fit 16 bits");
+  if (structures.empty()) refuseDamaged(path, "it describes no structures");
+  if (structures.size() > greatestLabel) refuseDamaged(path, "it has more structures than fit 16 bits");
   std::set<std::int64_t> taken;
   const auto isLabel = [](std::int64_t number) { return number >= 1 && number <= greatestLabel; };
   for (const Structure& structure : structures)
@@ -123,7 +119,7 @@ void addContours(DcmItem& item, Structure& structure, StructureSet& set) {
 StructureSet readContours(DcmDataset& dataset, const fs::path& path) {
   StructureSet set;
   set.structures = structuresIn(dataset, path);
-  if (!dataset.tagExists(DCM_ROIContourSequence)) refuseContours(path, "it has no contours");
+  if (!dataset.tagExists(DCM_ROIContourSequence)) refuseDamaged(path, "it has no contours");
   forEachItem(dataset, DCM_ROIContourSequence, [&](DcmItem& item) {
     const std::int64_t number = integerOf(item, DCM_ReferencedROINumber).value_or(-1);
     const auto at = std::find_if(set.structures.begin(), set.structures.end(),
@@ -142,10 +138,10 @@ StructureSet readContours(DcmDataset& dataset, const fs::path& path) {
   });
   const bool kept = set.open > 0 || std::any_of(set.structures.begin(), set.structures.end(),
                                                 [](const Structure& each) { return !each.contours.empty(); });
-  if (!kept && !set.faults.empty()) refuseContours(path, set.faults.front());
+  if (!kept && !set.faults.empty()) refuseDamaged(path, set.faults.front());
   if (!kept && set.undescribed > 0)
-    refuseContours(path, "it has contours of structure " + std::to_string(*set.strangers.begin()) +
-                             ", which it does not describe, and no others");
+    refuseDamaged(path, "it has contours of structure " + std::to_string(*set.strangers.begin()) +
+                            ", which it does not describe, and no others");
   return set;
 }
 

@@ -50,10 +50,6 @@ struct Header {
   }
 };
 
-[[noreturn]] void refuseSegments(const fs::path& path, const std::string& cause) {
-  throw Error(path, cause, "the file is damaged; get it again from its source");
-}
-
 /// Recommended Display CIELab Value as sRGB. PS3.3 C.10.7.1.1 means CIELab against D50, but DCMTK, and with it dcmqi
 /// and 3D Slicer, write and read it against D65; as they do, so that colours come back as they were chosen.
 std::optional<glm::dvec3> displayColour(DcmItem& segment) {
@@ -70,9 +66,9 @@ std::vector<Label> segmentsOf(DcmDataset& dataset, const fs::path& path) {
   std::set<std::int64_t> taken;
   forEachItem(dataset, DCM_SegmentSequence, [&](DcmItem& segment) {
     const std::int64_t number = integerOf(segment, DCM_SegmentNumber).value_or(-1);
-    if (number < 0 || number > greatestLabel) refuseSegments(path, "one of its segments has no number");
+    if (number < 0 || number > greatestLabel) refuseDamaged(path, "one of its segments has no number");
     if (!taken.insert(number).second)
-      refuseSegments(path, "two of its segments have the number " + std::to_string(number));
+      refuseDamaged(path, "two of its segments have the number " + std::to_string(number));
     if (number == 0) return;  // a label map may describe its background
     Label label;
     label.value = static_cast<std::uint16_t>(number);
@@ -89,7 +85,7 @@ Type typeOf(DcmDataset& dataset, const fs::path& path) {
   if (name == "BINARY") return Type::Binary;
   if (name == "FRACTIONAL") return Type::Fractional;
   if (name == "LABELMAP" || textOf(dataset, DCM_SOPClassUID) == labelMapSegmentationClass) return Type::LabelMap;
-  refuseSegments(path, "its segmentation type is \"" + name + "\"");
+  refuseDamaged(path, "its segmentation type is \"" + name + "\"");
 }
 
 void readFormat(DcmDataset& dataset, Header& header) {
@@ -97,18 +93,17 @@ void readFormat(DcmDataset& dataset, Header& header) {
   format.rows = static_cast<int>(integerOf(dataset, DCM_Rows).value_or(0));
   format.columns = static_cast<int>(integerOf(dataset, DCM_Columns).value_or(0));
   const std::int64_t bits = integerOf(dataset, DCM_BitsAllocated).value_or(0);
-  if (format.rows < 1 || format.columns < 1) refuseSegments(header.file.path, "it holds no frames");
+  if (format.rows < 1 || format.columns < 1) refuseDamaged(header.file.path, "it holds no frames");
   const bool possible =
       header.type == Type::LabelMap ? bits == 8 || bits == 16 : bits == 8 || (bits == 1 && header.type == Type::Binary);
   if (!possible)
-    refuseSegments(header.file.path,
-                   "its pixels have " + std::to_string(bits) + " bits, which its type does not allow");
+    refuseDamaged(header.file.path, "its pixels have " + std::to_string(bits) + " bits, which its type does not allow");
   format.bitsAllocated = format.bitsStored = static_cast<int>(bits);
   format.highBit = format.bitsStored - 1;
   header.greatest = integerOf(dataset, DCM_MaximumFractionalValue).value_or(255);
   if (header.greatest < 1 || header.greatest > 255)
-    refuseSegments(header.file.path,
-                   "its greatest fraction is " + std::to_string(header.greatest) + ", not from 1 to 255");
+    refuseDamaged(header.file.path,
+                  "its greatest fraction is " + std::to_string(header.greatest) + ", not from 1 to 255");
   if (header.type == Type::LabelMap) header.background = integerOf(dataset, DCM_PixelPaddingValue).value_or(0);
 }
 
@@ -120,10 +115,10 @@ Frame readFrame(const Scopes& scopes, int number, Header& header) {
     throw Error(header.file.path, "its " + name + " does not say where it lies in the patient",
                 "only segmentations of volumes can be opened");
   if (place.assumed & (assumed::spacing | assumed::garbledSpacing))
-    refuseSegments(header.file.path, "its " + name + " has no pixel spacing");
+    refuseDamaged(header.file.path, "its " + name + " has no pixel spacing");
   // A kilometre: beyond any scanner, and far from where arithmetic fails.
   if (glm::any(glm::greaterThan(glm::abs(place.position), glm::dvec3(1e6))))
-    refuseSegments(header.file.path, "its " + name + " lies outside any scanner");
+    refuseDamaged(header.file.path, "its " + name + " lies outside any scanner");
   if (number == 0) {
     header.axes = place.axes;
     header.spacing = place.spacing;
@@ -151,15 +146,15 @@ Frame readFrame(const Scopes& scopes, int number, Header& header) {
   const bool known = std::any_of(header.labels.begin(), header.labels.end(),
                                  [&](const Label& label) { return label.value == segment; });
   if (!known)
-    refuseSegments(header.file.path,
-                   "its " + name + " belongs to segment " + std::to_string(segment) + ", which it does not describe");
+    refuseDamaged(header.file.path,
+                  "its " + name + " belongs to segment " + std::to_string(segment) + ", which it does not describe");
   frame.segment = static_cast<std::uint16_t>(segment);
   return frame;
 }
 
 void readFrames(DcmDataset& dataset, Header& header) {
   const auto pixels = pixelsOf(dataset, header.file.path);
-  if (!pixels) refuseSegments(header.file.path, "it has no pixels");
+  if (!pixels) refuseDamaged(header.file.path, "it has no pixels");
   header.file.pixels = *pixels;
   header.file.transferSyntax = dataset.getOriginalXfer();
   const std::int64_t count = countFrames(dataset, header.file);
@@ -167,8 +162,8 @@ void readFrames(DcmDataset& dataset, Header& header) {
   dataset.findAndGetSequence(DCM_PerFrameFunctionalGroupsSequence, perFrame);
   const std::int64_t described = perFrame ? static_cast<std::int64_t>(perFrame->card()) : 0;
   if (described != count)
-    refuseSegments(header.file.path,
-                   "it has " + std::to_string(count) + " frames but describes " + std::to_string(described));
+    refuseDamaged(header.file.path,
+                  "it has " + std::to_string(count) + " frames but describes " + std::to_string(described));
   DcmItem* shared = firstItem(&dataset, DCM_SharedFunctionalGroupsSequence);
   DcmObject* next = nullptr;
   for (int number = 0; (next = perFrame->nextInContainer(next)); ++number)

@@ -39,8 +39,7 @@ class TiffFile {
   TIFF* get() const { return file_.get(); }
   const fs::path& path() const { return path_; }
   [[noreturn]] void fail(const std::string& cause) const {
-    throw Error(path_, message_.empty() ? cause : cause + ": " + message_,
-                "the file is damaged; get it again from its source");
+    refuseDamaged(path_, message_.empty() ? cause : cause + ": " + message_);
   }
   bool hasComplained() const { return !message_.empty(); }
   template <class T>

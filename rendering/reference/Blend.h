@@ -1,5 +1,5 @@
-// How the reference's layers lie over each other.
 #pragma once
+// How the reference's layers lie over each other.
 
 #include <glm/glm.hpp>
 

@@ -1,5 +1,5 @@
-// The two numbers that lengths along a ray take where there is none.
 #pragma once
+// The two numbers that lengths along a ray take where there is none.
 
 #include <limits>
 

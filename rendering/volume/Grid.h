@@ -15,10 +15,10 @@
 
 namespace fenestra {
 
-/// A regular lattice in world space. `direction`'s columns are the unit vectors of the index axes; they need not be
-/// orthogonal (a gantry-tilted series is a sheared lattice) nor right-handed.
 inline constexpr double mm3PerMl = 1000.0;
 
+/// A regular lattice in world space. `direction`'s columns are the unit vectors of the index axes; they need not be
+/// orthogonal (a gantry-tilted series is a sheared lattice) nor right-handed.
 struct Grid {
   glm::ivec3 dims{0};
   glm::dvec3 spacing{1.0};    ///< mm between neighbouring voxel centres along each index axis, > 0

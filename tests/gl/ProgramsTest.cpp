@@ -48,7 +48,8 @@ TEST_F(ProgramsTest, EveryShaderIsLinkedInSeveralVariants) {
         "EditMap.comp",           "ProtectedLayer.comp",      "ContextLayer.comp",      "Composite.comp",
         "ConeDepths.comp",        "ConeStart.comp",           "Occluders.comp",         "Occlusion.comp",
         "OcclusionNodes.comp",    "EdgePixels.comp",          "EdgeMeans.comp",         "CandidateHits.comp",
-        "CandidateOutlines.comp", "CandidateVisibility.comp", "CandidateEnds.comp",     "Walls.comp"})
+        "CandidateOutlines.comp", "CandidateVisibility.comp", "CandidateEnds.comp",     "Walls.comp",
+        "ContextLines.comp"})
     EXPECT_GE(variants[path], 2) << path << ": one for each schedule at least";
   for (const char* path : {"QuincunxBetween.comp", "CentresBetween.comp", "SidesBetween.comp", "CandidateEdges.comp"})
     EXPECT_GE(variants[path], 1) << path;

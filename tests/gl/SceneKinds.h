@@ -210,6 +210,10 @@ inline std::vector<SceneKind> allSceneKinds() {
     bare.name += ", no edges";
     bare.scene.look.contextLayer.strength = 0.0;
     kinds.push_back(bare);
+    SceneKind thinned = withStroke;
+    thinned.name += ", thinned edges";
+    thinned.scene.look.contextLayer.share = 0.1;
+    kinds.push_back(thinned);
     SceneKind parallel = kinds[i];
     parallel.name += ", orthographic";
     parallel.view.camera = Camera::fromAngles(-70.0, 35.0, parallel.scene.volume->grid, Projection::Orthographic);

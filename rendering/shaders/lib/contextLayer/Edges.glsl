@@ -20,7 +20,7 @@ vec4 withContextLayer(vec4 result, ivec2 pixel, vec2 hit, float share) {
     // Edges come out as lines: both terms rise steeply.
     float opacity = contextLook.curvatureWeight * smoothstep(0.10, 0.40, bend);
     opacity = contextLook.strength * clamp(opacity + contextLook.silhouetteWeight * smoothstep(0.30, 0.85, rim), 0.0, 1.0);
-    opacity *= smoothstep(contextLook.leastLine, contextLook.leastLine + 0.06, lineStrength(bend, rim));
+    opacity *= smoothstep(contextLook.leastLine, contextLook.leastLine + LINE_FADE, lineStrength(bend, rim));
     if (EDITED) opacity = min(opacity * editAt(pixel).y, 1.0);
     if (HAS_LENS) opacity *= 1.0 - share;
     // A surface lies where opacity begins: what is opaque next to its value gives the colour.
