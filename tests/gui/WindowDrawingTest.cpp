@@ -27,9 +27,14 @@ TEST_F(Window, WhatChangesWhilePicturesAreDrawnIsShownWithThem) {
   long repaints = 0;
   QObject::connect(volume(0), &VolumeView::drawn, window_.get(), [&] { ++repaints; });
   const long frames = views().pacer().frames();
-  cameras().orbit(0, 0.1, 0.0);
-  window_->statusBar()->showMessage(QStringLiteral("while both views draw"));
-  ASSERT_TRUE(QTest::qWaitFor([&] { return views().pacer().frames() > frames; }, patience));
+  // While programs are compiled in the background a moving picture may be so late that the one at rest takes its place.
+  for (int turn = 0; turn < 20 && views().pacer().frames() == frames; ++turn) {
+    repaints = 0;
+    cameras().orbit(0, 0.1, 0.0);
+    window_->statusBar()->showMessage(QStringLiteral("while both views draw %1").arg(turn));
+    const auto isShown = [&] { return views().pacer().frames() > frames || views().isSettled(); };
+    ASSERT_TRUE(QTest::qWaitFor(isShown, patience));
+  }
   EXPECT_EQ(views().pacer().frames(), frames + 1);
   EXPECT_EQ(repaints, 1);
 }
