@@ -19,7 +19,7 @@ void Chain::begin(const Scene& scene, const View& view) {
 
 void Chain::beginAsDrawn(const Scene& scene, const View& view, std::shared_ptr<const PeeledScene> peeled) {
   drop();
-  gpu().update(scene);
+  gpu().update(scene, view.occlusion ? GpuScene::Use::Pictures : GpuScene::Use::WithoutOcclusion);
   Frame made = frameOf(scene, view, gpu(), frame());
   made.peeled = std::move(peeled);
   frame_ = std::move(made);

@@ -87,20 +87,27 @@ std::vector<OctantMask> GpuScene::drawnOccupied(const FocusIndex& focus) const {
   return occupied;
 }
 
-bool GpuScene::holds(const Scene& scene) const {
+bool GpuScene::holds(const Scene& scene, bool occlusion) const {
   if (!peeler_.knows(scene)) return false;
   const auto peeled = peeler_.known(scene);
-  return holdsAsDrawn(peeled ? peeled->scene : scene);
+  return holdsAsDrawn(peeled ? peeled->scene : scene, occlusion);
 }
 
-bool GpuScene::holdsAsDrawn(const Scene& scene) const {
+bool GpuScene::holdsAsDrawn(const Scene& scene, bool occlusion) const {
   if (!shown_.volume || fitted_.isOfOther(scene) || scene.look.focus != focusWanted_) return false;
   if (std::holds_alternative<LabelFocus>(scene.look.focus) &&
       (scene.labels != labelSource_ || scene.look.labelSmoothing != labelSmoothing_))
     return false;
   const bool wantsDerivative = readsContextSurface(scene);
   return (gradient_.texture || !scene.look.shading.enabled) && (derivative_.texture || !wantsDerivative) &&
-         (occluders_.any() || !hasOcclusion(scene.look)) && (focalDistances_.any() || !fadesByDistance(scene.look));
+         (!occlusion || !hasOcclusion(scene.look) || occluders_.isOf(occludersKey(scene))) &&
+         (focalDistances_.any() || !fadesByDistance(scene.look));
+}
+
+Occluders::Key GpuScene::occludersKey(const Scene& scene) const {
+  const Versions& v = versions_;
+  return {v.volume,          v.focus,        v.transfer,   v.palette,
+          v.protectedLabels, v.exemptLabels, v.importance, scene.look.focusAppearance.extinction};
 }
 
 gl::ShaderProgram& GpuScene::presentation(bool enlarged) {
@@ -174,25 +181,22 @@ void GpuScene::updateAll(const Scene& scene, Use use) {
   updateLight(scene, use, changed, occupancyChanged);
   const bool wantsDerivative = readsContextSurface(scene);
   if (!wantsDerivative) derivative_ = {};
-  if (wantsDerivative && !derivative_.texture && use == Use::Pictures) {
+  if (wantsDerivative && !derivative_.texture && use != Use::FirstHits) {
     derivative_ = makeDerivativeVolume(shown_);
     ++versions_.derivative;
   }
 }
 
 void GpuScene::updateLight(const Scene& scene, Use use, const GpuFocus::Change& focus, bool occupancyChanged) {
-  const auto mayMake = [use](bool isThere) { return use == Use::Pictures || isThere; };
+  const auto mayMake = [use](bool isThere) { return use != Use::FirstHits || isThere; };
   const bool isLit = scene.look.shading.enabled;
   if (!isLit) gradient_ = {};
   if (!isLit) normalCoefficients_ = {};
   if (isLit && mayMake(static_cast<bool>(gradient_.texture))) updateGradient(focus, occupancyChanged);
   focus_.updateSmooth(isLit && mayMake(static_cast<bool>(focus_.smooth())));
-  const Versions& v = versions_;
-  if (mayMake(occluders_.any()) &&
-      occluders_.update(scene, {v.volume, v.focus, v.transfer, v.palette, v.protectedLabels, v.exemptLabels,
-                                v.importance, scene.look.focusAppearance.extinction}))
+  if ((use == Use::Pictures || !hasOcclusion(scene.look)) && occluders_.update(scene, occludersKey(scene)))
     ++versions_.occluders;
-  if (mayMake(focalDistances_.any())) focalDistances_.update(scene, {v.volume, v.focus});
+  if (mayMake(focalDistances_.any())) focalDistances_.update(scene, {versions_.volume, versions_.focus});
 }
 
 void GpuScene::updateVolume(ShownVolume shown) {

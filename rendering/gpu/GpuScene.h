@@ -49,15 +49,17 @@ class GpuScene {
   explicit GpuScene(gl::SharedPrograms programs = std::make_shared<gl::ComputePrograms>())
       : programs_(std::move(programs)) {}
 
-  /// What is drawn: pictures, or first hits alone, as for placing cameras. What only pictures need is not made for
-  /// those; where it is there, it follows the scene.
-  enum class Use : std::uint8_t { Pictures, FirstHits };
+  /// What is drawn: pictures, pictures without occlusion and shadow (View::occlusion), or first hits alone, as for
+  /// placing cameras. What only pictures need is not made for first hits; where it is there, it follows the scene.
+  /// Occluders alone do not: they take long in large volumes and stay as they are until a picture needs them.
+  enum class Use : std::uint8_t { Pictures, WithoutOcclusion, FirstHits };
   /// Brings everything up to date. Needs a current context, as does destruction. A volume that the device has no room
   /// for is thinned by whole factors, the same for either use. Throws RenderError, gl::AllocationError.
   void update(const Scene& scene, Use use = Use::Pictures);
   /// What takes long to make of this scene is there: its voxels, its focus, what its light and its context layer need.
   /// peeled() and update() are quick then. Of a scene with a layer peeled off: what takes long to make of peeled().
-  bool holds(const Scene& scene) const;
+  /// Occluders count where `occlusion` is true, and as those of the scene that was last brought up to date.
+  bool holds(const Scene& scene, bool occlusion = true) const;
   /// The scene with its layer peeled off, in place of which pictures draw it; null where nothing is peeled.
   std::shared_ptr<const PeeledScene> peeled(const Scene& scene) { return peeler_.of(scene); }
   /// The scene whose voxels are on the device, of the volume that was last brought up to date: `scene` itself, or its
@@ -181,7 +183,8 @@ class GpuScene {
 
  private:
   void release();
-  bool holdsAsDrawn(const Scene& scene) const;
+  bool holdsAsDrawn(const Scene& scene, bool occlusion) const;
+  Occluders::Key occludersKey(const Scene& scene) const;
   void chooseRefinement(const Scene& scene, const DeviceLimits& limits);
   /// By brick of the drawn grid: wholeBrick where some of the focus lies in it, else 0.
   std::vector<OctantMask> drawnOccupied(const FocusIndex& focus) const;

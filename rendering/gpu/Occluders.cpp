@@ -5,7 +5,7 @@ namespace fenestra {
 bool Occluders::update(const Scene& scene, const Key& key) {
   const bool wanted = hasOcclusion(scene.look);
   if (!wanted && !any()) return false;
-  if (wanted && any() && key == key_) return false;
+  if (wanted && isOf(key)) return false;
   release();
   if (!wanted) return true;
   cells_ = occluderCells(scene);

@@ -21,6 +21,7 @@ class Occluders {
   void release() { *this = {}; }
 
   bool any() const { return static_cast<bool>(buffer_); }
+  bool isOf(const Key& key) const { return any() && key == key_; }
   const OccluderCells& cells() const { return cells_; }
   void bind() const;  ///< for Occluders.comp
   std::size_t bytes() const { return buffer_.bytes(); }

@@ -322,8 +322,10 @@ class Bench {
     const TransferFunction function = plot.function();
     const TransferFunction::Node& node = function.nodes.at(1);
     const QPointF from = plot.place(node.value, opacityFromExtinction(node.properties.extinction));
-    const auto [start, released] =
-        drag(&plot, [&](double seconds) { return from + 40.0 * QPointF(0.0, -std::abs(std::sin(seconds))); });
+    // Towards the plot's middle: a node that is held at the border changes nothing.
+    const double inwards = from.y() < QRectF(plot.rect()).center().y() ? 1.0 : -1.0;
+    const auto [start, released] = drag(
+        &plot, [&](double seconds) { return from + 40.0 * QPointF(0.0, inwards * std::abs(std::sin(3.0 * seconds))); });
     Json result{{"C1", ratesOf(times_.of(0), start, released)},
                 {"C2", ratesOf(times_.of(1), start, released)},
                 {"blocks", takeBlocks()}};

@@ -113,6 +113,43 @@ TEST_F(GpuSceneTest, FirstHitsTakeNoMemoryForLightAndEdges) {
   EXPECT_EQ(renderer.readPicture(), pictureOf(scene));
 }
 
+/// While a slider moves, pictures without occlusion and shadow follow, and what casts shadows waits for rest.
+TEST_F(GpuSceneTest, PicturesWithoutOcclusionLeaveOccludersAlone) {
+  Scene scene = largeScene();
+  scene.look.shading.enabled = true;
+  scene.look.shading.occlusion = scene.look.shading.shadow = 0.5;
+  View moving{.camera = Camera::standard(StandardView::Anterior, scene.volume->grid), .size = {90, 70}};
+  View rest = moving;
+  moving.occlusion = false;
+  const auto gpu = std::make_shared<GpuScene>();
+  Renderer renderer(gpu);
+  renderer.render(scene, moving);
+  EXPECT_EQ(gpu->versions().occluders, 0u);
+  EXPECT_TRUE(gpu->holds(scene, false));
+  EXPECT_FALSE(gpu->holds(scene));
+  renderer.render(scene, rest);
+  EXPECT_TRUE(gpu->holds(scene));
+  const std::uint64_t made = gpu->versions().occluders;
+
+  Scene unlit = scene;
+  unlit.look.context.function = scene.look.context.function = opaqueFrom(-950.0);
+  unlit.look.shading.occlusion = unlit.look.shading.shadow = 0.0;
+  renderer.render(scene, moving);
+  EXPECT_EQ(gpu->versions().occluders, made);
+  EXPECT_FALSE(gpu->holds(scene));
+  EXPECT_EQ(renderer.readPicture(), pictureOf(unlit));
+  gpu->update(scene, GpuScene::Use::FirstHits);
+  EXPECT_EQ(gpu->versions().occluders, made);
+  renderer.render(scene, rest);
+  EXPECT_GT(gpu->versions().occluders, made);
+  EXPECT_TRUE(gpu->holds(scene));
+  EXPECT_EQ(renderer.readPicture(), pictureOf(scene));
+
+  scene.look.shading.occlusion = scene.look.shading.shadow = 0.0;
+  renderer.render(scene, moving);
+  EXPECT_GT(gpu->versions().occluders, made + 1) << "what a look has no use for is dropped";
+}
+
 TEST_F(GpuSceneTest, AVolumeBeyondTheLimitsIsDrawnWithWholeVoxelsJoined) {
   for (const bool values : {false, true}) {
     Scene scene = largeScene();

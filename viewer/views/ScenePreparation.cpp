@@ -70,15 +70,16 @@ View middleOf(View view) {
   return view;
 }
 
-/// Brings `gpuScene` up to date. True where only the focus has changed and its textures are of the kind they were: for
-/// others, drivers compile the programs again.
-bool followsFocus(GpuScene& gpuScene, const Scene& scene) {
+/// Brings `gpuScene` up to date. True where only the focus and what casts shadows have changed, and the focus's
+/// textures are of the kind they were: for others, drivers compile the programs again.
+bool followsFocus(GpuScene& gpuScene, const Scene& scene, GpuScene::Use use) {
   GpuScene::Versions before = gpuScene.versions();
   const bool hadNormals{gpuScene.focusSmooth()};
   const auto peeled = gpuScene.peeled(scene);
-  gpuScene.update(peeled ? peeled->scene : scene);
+  gpuScene.update(peeled ? peeled->scene : scene, use);
   before.focus = gpuScene.versions().focus;
   before.palette = gpuScene.versions().palette;
+  before.occluders = gpuScene.versions().occluders;
   return before == gpuScene.versions() && hadNormals == static_cast<bool>(gpuScene.focusSmooth());
 }
 
@@ -131,14 +132,14 @@ bool ScenePreparation::isReady(const Scene& scene, const View& view) {
     return false;
   }
   const Kind kind = kindOf(scene, view);
-  if (isKnown(kind) && gpuScene_->holds(scene)) return true;
+  if (isKnown(kind) && gpuScene_->holds(scene, view.occlusion)) return true;
   isAhead_ = false;
   start(scene, view, kind);
   return false;
 }
 
 Scene ScenePreparation::held(Scene scene) const {
-  if (!prepared_ || scheduledFor_.lock() != scene.volume || glContext_.isBusy() || gpuScene_->holds(scene))
+  if (!prepared_ || scheduledFor_.lock() != scene.volume || glContext_.isBusy() || gpuScene_->holds(scene, false))
     return scene;
   Scene earlier = scene;
   earlier.labels = prepared_->labels;
@@ -149,7 +150,7 @@ Scene ScenePreparation::held(Scene scene) const {
     earlier.look.method = prepared_->look.method;
     earlier.look.cutaway.enabled = prepared_->look.cutaway.enabled;
   }
-  return gpuScene_->holds(earlier) ? earlier : scene;
+  return gpuScene_->holds(earlier, false) ? earlier : scene;
 }
 
 void ScenePreparation::prepareAhead(const Scene& scene, const View& view) {
@@ -217,7 +218,8 @@ void ScenePreparation::start(const Scene& scene, const View& view, const Kind& k
   glContext_.runBehind(
       [this, scene, view, isNew, hasPrograms, isDone](const std::atomic<bool>& stop) {
         if (isNew && chooseSchedule_) chooseSchedule_(gpuScene_, scene, view);
-        if (hasPrograms && followsFocus(*gpuScene_, scene)) return;
+        const auto use = view.occlusion ? GpuScene::Use::Pictures : GpuScene::Use::WithoutOcclusion;
+        if (hasPrograms && followsFocus(*gpuScene_, scene, use)) return;
         Renderer trial(gpuScene_);
         trial.begin(scene, middleOf(view));
         while (!*isDone && !stop) *isDone = trial.advance(0.0);

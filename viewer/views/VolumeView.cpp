@@ -106,7 +106,11 @@ void VolumeView::contextFreed() {
     isPreparedDue_ = true;
     QMetaObject::invokeMethod(this, &VolumeView::drawPrepared, Qt::QueuedConnection);
   } else if (!settled_ && !rest_.isActive() && !refining_.isActive()) {
-    settle();
+    // A picture at rest that waited for its preparation goes on.
+    if (refinement_)
+      refining_.start(0);
+    else
+      settle();
   }
 }
 
