@@ -1,0 +1,29 @@
+#pragma once
+// The options of `archive`, apart from the other commands.
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/options/Options.h"
+#include "io/archive/Query.h"
+#include "io/archive/Server.h"
+
+namespace fenestra::cli {
+
+struct ArchiveOptions {
+  enum class Action : std::uint8_t { Echo, Find, Get, Move, Send };
+  Action action = Action::Echo;
+  std::string name;  ///< of the server, as it was given
+  io::archive::Server server;
+  io::archive::Query query;
+  std::vector<std::string> files;  ///< to send
+  std::filesystem::path output, cache;
+};
+
+void addArchiveOptions(app::Command command, ArchiveOptions& options);
+/// Prints what the archive answered as JSON; false where objects to send were not accepted.
+bool archive(const ArchiveOptions& options);
+
+}  // namespace fenestra::cli
