@@ -57,7 +57,8 @@ std::string problemOf(const std::string& keyword, const std::string& value) {
   const std::optional<DcmTag> tag = tagOf(keyword);
   if (!tag) return "\"" + keyword + "\" is no attribute of DICOM; name it as PatientName or AccessionNumber";
   const DcmEVR vr = tag->getEVR();
-  if (vr == EVR_SQ || vr == EVR_OB || vr == EVR_OW || vr == EVR_UN || keyword == "SpecificCharacterSet")
+  const bool isNumber = vr == EVR_US || vr == EVR_SS || vr == EVR_UL || vr == EVR_SL;
+  if (!(isNumber || DcmVR(vr).isaString()) || keyword == "SpecificCharacterSet")
     return "\"" + keyword + "\" cannot be searched for";
   if (std::any_of(value.begin(), value.end(), [](char c) { return static_cast<unsigned char>(c) < 0x20; }))
     return "the value of " + keyword + " holds a control character";

@@ -59,7 +59,7 @@ void StorageProvider::listen() {
   const int on = 1;
   setsockopt(socket_, SOL_SOCKET, SO_REUSEADDR, &on, sizeof on);
   if (socket_ >= 0 && bind(socket_, reinterpret_cast<const sockaddr*>(&address), sizeof address) == 0 &&
-      ::listen(socket_, 16) == 0)
+      ::listen(socket_, SOMAXCONN) == 0)
     return;
   const std::string why = std::strerror(errno);
   if (socket_ >= 0) close(socket_);
@@ -77,14 +77,15 @@ void StorageProvider::run() {
 }
 
 void StorageProvider::admit() {
-  const int accepted = accept4(socket_, nullptr, nullptr, SOCK_CLOEXEC);
-  if (accepted < 0) return;
-  if (waiting_.size() >= server_.limits.waitingConnections) {  // the one that waits longest makes room
-    close(waiting_.front().socket);
-    waiting_.erase(waiting_.begin());
-    ++connections_;
+  for (int accepted = -1; !stops_ && (accepted = accept4(socket_, nullptr, nullptr, SOCK_CLOEXEC)) >= 0;) {
+    if (waiting_.size() >= server_.limits.waitingConnections) sortWaiting();
+    if (waiting_.size() >= server_.limits.waitingConnections) {  // the one that waits longest makes room
+      close(waiting_.front().socket);
+      waiting_.erase(waiting_.begin());
+      ++connections_;
+    }
+    waiting_.push_back({accepted, std::chrono::steady_clock::now()});
   }
-  waiting_.push_back({accepted, std::chrono::steady_clock::now()});
 }
 
 StorageProvider::Introduction StorageProvider::introductionOf(int socket) const {

@@ -45,7 +45,7 @@ class Listener {
       while (!stops_) {
         const int client = accept_();
         if (client < 0) continue;
-        if (!words_.empty()) EXPECT_GT(write(client, words_.data(), words_.size()), 0);
+        if (!words_.empty() && ::write(client, words_.data(), words_.size()) <= 0) ADD_FAILURE() << "cannot write";
         clients_.push_back(client);
       }
     });
@@ -74,16 +74,17 @@ class Listener {
 /// Of dcmqrscp with one study, and what each test does with it.
 class ArchiveFaults : public ::testing::Test {
  protected:
-  static void SetUpTestSuite() {
-    if (!isThere("dcmqrscp")) return;
-    folder_ = scratchFolder();
-    running_ = startDcmqrscp(folder_ / "server");
-    ASSERT_TRUE(running_) << readFile(folder_ / "server/log");
-    study_ = makeStudy(folder_ / "studies", "1.2.3.90", 12);
+  /// The first test starts the server for all.
+  void SetUp() override {
+    FENESTRA_PROGRAM_OR_SKIP("dcmqrscp", "dcmtk");
+    if (running_) return;
+    const fs::path folder = scratchFolder();
+    running_ = startDcmqrscp(folder / "server");
+    ASSERT_TRUE(running_) << readFile(folder / "server/log");
+    study_ = makeStudy(folder / "studies", "1.2.3.90", 12);
     archive::send(running_->server, archive::filesToSend({study_.folder}));
   }
   static void TearDownTestSuite() { running_.reset(); }
-  void SetUp() override { FENESTRA_PROGRAM_OR_SKIP("dcmqrscp", "dcmtk"); }
 
   static archive::Server through(int port) {
     archive::Server server = running_->server;
@@ -110,7 +111,6 @@ class ArchiveFaults : public ::testing::Test {
     EXPECT_EQ(objectsIn(got.series[0].folder), objectsIn(study_.folder));
   }
 
-  static inline fs::path folder_;
   static inline std::unique_ptr<RunningServer> running_;
   static inline MadeStudy study_;
 };
@@ -175,6 +175,26 @@ TEST_F(ArchiveFaults, ResumesAfterACutConnection) {
 
 TEST_F(ArchiveFaults, ResumesAfterAStall) {
   expectResumes({.after = 60'000, .stalls = true}, "the server was silent for");
+}
+
+TEST_F(ArchiveFaults, ResumesAfterTheServerWasKilled) {
+  const fs::path folder = scratchFolder();
+  const archive::Cache cache(folder / "cache");
+  {
+    const std::unique_ptr<RunningServer> other = startDcmqrscp(folder / "server");
+    ASSERT_TRUE(other);
+    archive::send(other->server, archive::filesToSend({study_.folder}));
+    const std::string error = errorOf([&] {
+      archive::retrieve(other->server, {study_.uid, study_.series}, cache, [&](double fraction, std::string_view) {
+        if (fraction > 0.4) other->program->kill();
+        return true;
+      });
+    });
+    EXPECT_NE(error.find("the connection broke"), std::string::npos) << error;
+  }
+  const std::size_t held = cache.held(study_.uid, study_.series).size();
+  EXPECT_GT(held, 0u);
+  EXPECT_EQ(archive::retrieve(running_->server, {study_.uid, study_.series}, cache).series.at(0).received, 12u - held);
 }
 
 TEST_F(ArchiveFaults, KeepsWhatCameBeforeACancel) {

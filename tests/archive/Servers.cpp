@@ -136,7 +136,16 @@ std::unique_ptr<RunningServer> startDcmqrscp(const fs::path& folder) {
                  folder);
 }
 
-std::unique_ptr<RunningServer> startOrthanc(const fs::path& folder) {
+Certificate makeCertificate(const fs::path& folder, const std::string& name) {
+  const Certificate made{folder / (name + ".pem"), folder / (name + ".key")};
+  const std::string command = "openssl req -x509 -newkey rsa:2048 -nodes -days 2 -subj /CN=" + name +
+                              " -addext 'subjectAltName=IP:127.0.0.1' -keyout '" + made.key.string() + "' -out '" +
+                              made.certificate.string() + "' 2>/dev/null";
+  EXPECT_EQ(std::system(command.c_str()), 0) << command;
+  return made;
+}
+
+std::unique_ptr<RunningServer> startOrthanc(const fs::path& folder, const Certificate& own, const Certificate& client) {
   auto running = std::make_unique<RunningServer>();
   io::archive::Server& server = running->server;
   server.host = "127.0.0.1";
@@ -145,7 +154,7 @@ std::unique_ptr<RunningServer> startOrthanc(const fs::path& folder) {
   server.ownPort = freePort();
   const int web = freePort();
   running->web = "http://127.0.0.1:" + std::to_string(web) + "/dicom-web";
-  const nlohmann::json config{{"Name", "test"},
+  nlohmann::json config{{"Name", "test"},
                               {"StorageDirectory", (folder / "store").string()},
                               {"IndexDirectory", (folder / "store").string()},
                               {"DicomAet", server.title},
@@ -163,6 +172,15 @@ std::unique_ptr<RunningServer> startOrthanc(const fs::path& folder) {
                               {"RegisteredUsers", {{"reader", "secret word"}}},
                               {"Plugins", {"/usr/share/orthanc/plugins"}},
                               {"DicomWeb", {{"Enable", true}, {"Root", "/dicom-web/"}}}};
+  if (!own.key.empty()) {
+    server.tls = io::archive::TlsFiles{own.certificate, client.certificate, client.key};
+    config.update({{"DicomTlsEnabled", true},
+                   {"DicomTlsCertificate", own.certificate.string()},
+                   {"DicomTlsPrivateKey", own.key.string()},
+                   {"DicomTlsTrustedCertificates", client.certificate.string()}});
+    config["DicomModalities"]["us"] = {
+        {"AET", "FENESTRA"}, {"Host", "127.0.0.1"}, {"Port", server.ownPort}, {"UseDicomTls", true}};
+  }
   fs::create_directories(folder);
   std::ofstream(folder / "config.json") << config;
   return started(std::move(running), {"Orthanc", (folder / "config.json").string()}, folder);

@@ -50,8 +50,17 @@ struct RunningServer {
 
 /// DCMTK's server, its AE title "DCMQRSCP"; null after a failed start.
 std::unique_ptr<RunningServer> startDcmqrscp(const std::filesystem::path& folder);
-/// Orthanc with DICOMweb, its AE title "ORTHANC"; null after a failed start.
-std::unique_ptr<RunningServer> startOrthanc(const std::filesystem::path& folder);
+/// Files of TLS for a server, signed by themselves.
+struct Certificate {
+  std::filesystem::path certificate, key;
+};
+/// Made by openssl, below `folder`.
+Certificate makeCertificate(const std::filesystem::path& folder, const std::string& name);
+
+/// Orthanc with DICOMweb, its AE title "ORTHANC"; null after a failed start. With a certificate it takes TLS alone, and
+/// from those alone whose certificate is `client`.
+std::unique_ptr<RunningServer> startOrthanc(const std::filesystem::path& folder, const Certificate& own = {},
+                                            const Certificate& client = {});
 
 /// Passes bytes between one client at a time and a server, with a fault.
 class Proxy {
