@@ -11,6 +11,7 @@
 #include "io/archive/Cache.h"
 #include "io/archive/Retrieve.h"
 #include "io/archive/Send.h"
+#include "io/archive/WebArchive.h"
 
 namespace fenestra::cli {
 namespace {
@@ -30,11 +31,12 @@ void addServer(app::Command command, ArchiveOptions& options) {
       .required()
       .as("");
   command
-      .add("SERVER", "dicom://TITLE@HOST:PORT", "dicom://TITLE@HOST:PORT with the server's AE title; dicoms:// for TLS",
+      .add("SERVER", "dicom://TITLE@HOST:PORT or http(s)://HOST/ROOT",
+           "dicom://TITLE@HOST:PORT with the server's AE title, dicoms:// for TLS; or http(s)://HOST/ROOT of DICOMweb",
            [&options](const std::string& text) {
-             const std::optional<io::archive::Server> server = io::archive::parseServer(text);
-             if (server) options.server = *server;
-             return server.has_value();
+             options.web = io::archive::parseWebServer(text);
+             if (const auto server = io::archive::parseServer(text)) options.server = *server;
+             return options.web || !options.server.host.empty();
            })
       .required()
       .as("");
@@ -43,7 +45,8 @@ void addServer(app::Command command, ArchiveOptions& options) {
 
 void addKeys(app::Command command, ArchiveOptions& options) {
   command.group("What to find or retrieve");
-  app::addWords<io::archive::Level>(command, "--level", "find: what an answer is about, default study", options.query.level);
+  app::addWords<io::archive::Level>(command, "--level", "find: what an answer is about, default study",
+                                    options.query.level);
   command
       .addRepeated("--key", "ATTRIBUTE=VALUE",
                    "such as PatientName=Smith*, PatientID=123, StudyDate=20240101-20241231 or StudyInstanceUID=UID; * "
@@ -83,34 +86,58 @@ void addConversation(app::Command command, ArchiveOptions& options) {
       .as("PORT")
       .within(1, 65535);
   command.add("--silence", "SECONDS", "how long the server may be silent, default 60; a transfer may take any time",
-              [&server](const std::string& text) {
+              [&options, &server](const std::string& text) {
                 const std::optional<double> seconds = app::parseNumber<double>(text);
                 if (!seconds || *seconds < 0.1 || *seconds > 86400) return false;
                 server.limits.silence = std::chrono::milliseconds(std::lround(*seconds * 1000));
+                if (options.web) options.web->limits.silence = server.limits.silence;
                 return true;
               });
 }
 
 void addTls(app::Command command, ArchiveOptions& options) {
-  const auto file = [&](const char* name, const char* description, fs::path io::archive::TlsFiles::*member) {
+  using io::archive::TlsFiles;
+  const auto file = [&](const char* name, const char* description, fs::path TlsFiles::*member) {
     return command.add(name, "FILE", description, [&options, member](const std::string& text) {
-      if (!options.server.tls) throw app::WrongValue{"the server is not named dicoms://"};
-      *options.server.tls.*member = text;
+      const bool isWeb = options.web && options.web->isEncrypted() && member == &TlsFiles::authorities;
+      if (!isWeb && !options.server.tls)
+        throw app::WrongValue{"the server is not named dicoms:// or, for --tls-authorities, https://"};
+      if (isWeb)
+        options.web->authorities = text;
+      else
+        *options.server.tls.*member = text;
       return !text.empty();
     });
   };
-  file("--tls-authorities", "certificates in PEM that may sign the server's, or its own",
-       &io::archive::TlsFiles::authorities);
+  file("--tls-authorities", "certificates in PEM that may sign the server's, or its own; needed for dicoms://",
+       &TlsFiles::authorities);
   const app::Option certificate =
-      file("--tls-certificate", "ours in PEM, where the server asks for one", &io::archive::TlsFiles::certificate);
-  const app::Option key = file("--tls-key", "of our certificate, in PEM", &io::archive::TlsFiles::key);
+      file("--tls-certificate", "ours in PEM, where the server asks for one", &TlsFiles::certificate);
+  const app::Option key = file("--tls-key", "of our certificate, in PEM", &TlsFiles::key);
   certificate.needs(key);
   key.needs(certificate);
+  command.add("--user", "NAME", "DICOMweb: who we are, with the password of --secret",
+              [&options](const std::string& text) {
+                if (!options.web) throw app::WrongValue{"the server is not named http:// or https://"};
+                options.web->user = text;
+                return !text.empty();
+              });
+  command.add("--secret", "FILE",
+              "DICOMweb: whose first line is the password, or without --user a bearer token; - reads "
+              "standard input",
+              [&options](const std::string& text) {
+                if (!options.web) throw app::WrongValue{"the server is not named http:// or https://"};
+                options.secret = text;
+                return !text.empty();
+              });
 }
 
 /// What an action needs.
 void checkAction(const ArchiveOptions& options) {
   const bool retrieves = options.action == Action::Get || options.action == Action::Move;
+  if (options.web && options.action == Action::Move) throw app::WrongValue{"DICOMweb has no move; use archive get"};
+  if (options.web && options.secret.empty() && !options.web->user.empty())
+    throw app::MissingOption{"--secret", "--user"};
   if (options.server.tls && options.server.tls->authorities.empty())
     throw app::MissingOption{"--tls-authorities", "dicoms://"};
   if (options.action == Action::Send && options.files.empty()) throw app::MissingOption{"PATH", "archive send"};
@@ -124,18 +151,31 @@ void checkAction(const ArchiveOptions& options) {
   if (options.action == Action::Move && options.server.ownPort == 0) throw app::MissingOption{"--port", "archive move"};
 }
 
+/// What `act` makes of the server, whichever it speaks.
+template <class Act>
+auto withServer(const ArchiveOptions& options, const Act& act) {
+  if (!options.web) return act(options.server);
+  io::archive::WebServer server = *options.web;
+  if (!options.secret.empty()) server.secret = io::archive::readSecret(options.secret);
+  return act(server);
+}
+
+std::string nameOf(const ArchiveOptions& options) { return options.web ? options.web->name() : options.server.name(); }
+
 Json echoed(const ArchiveOptions& options) {
-  const auto taken = io::archive::echo(options.server, progressOnTerminal());
-  return {{"source", options.server.name()}, {"answer_ms", taken.count()}};
+  const auto taken =
+      withServer(options, [](const auto& server) { return io::archive::echo(server, progressOnTerminal()); });
+  return {{"source", nameOf(options)}, {"answer_ms", taken.count()}};
 }
 
 Json found(const ArchiveOptions& options) {
-  const io::archive::Answers answers = io::archive::find(options.server, options.query, progressOnTerminal());
+  const io::archive::Answers answers = withServer(
+      options, [&](const auto& server) { return io::archive::find(server, options.query, progressOnTerminal()); });
   if (answers.ignoresKeys)
     printWarnings({{io::Warning::Kind::Other, "the server does not match by some of the keys", {}, {}}});
   Json records = Json::array();
   for (const io::archive::Attributes& record : answers.records) records.push_back(record);
-  return {{"source", options.server.name()},
+  return {{"source", nameOf(options)},
           {"level", wordOf(options.query.level).word},
           {"complete", answers.complete},
           {"results", std::move(records)}};
@@ -144,13 +184,15 @@ Json found(const ArchiveOptions& options) {
 Json retrieved(const ArchiveOptions& options) {
   const fs::path root = options.cache.empty() ? io::archive::defaultCacheFolder() : options.cache;
   if (root.empty())
-    throw io::Error(options.server.name(), "there is neither a home nor a cache folder", "name one with --cache");
+    throw io::Error(nameOf(options), "there is neither a home nor a cache folder", "name one with --cache");
   const io::archive::Cache cache(root);
   const io::archive::Retrieval retrieval{
       io::archive::valueOf(options.query.keys, "StudyInstanceUID"),
       io::archive::valueOf(options.query.keys, "SeriesInstanceUID"),
       options.action == Action::Move ? io::archive::Way::Move : io::archive::Way::Get};
-  const io::archive::Retrieved got = io::archive::retrieve(options.server, retrieval, cache, progressOnTerminal());
+  const io::archive::Retrieved got = withServer(options, [&](const auto& server) {
+    return io::archive::retrieve(server, retrieval, cache, progressOnTerminal());
+  });
   Json series = Json::array();
   std::vector<fs::path> folders;
   for (const io::archive::RetrievedSeries& each : got.series) {
@@ -161,7 +203,7 @@ Json retrieved(const ArchiveOptions& options) {
                       {"cache", each.folder.string()}});
   }
   if (!options.output.empty()) io::archive::layOut(folders, options.output);
-  Json json{{"source", options.server.name()}, {"study", retrieval.study}, {"series", std::move(series)}};
+  Json json{{"source", nameOf(options)}, {"study", retrieval.study}, {"series", std::move(series)}};
   json["folder"] = options.output.empty() ? Json(nullptr) : Json(options.output.string());
   const io::archive::Refusals& refused = got.refusals;
   json["refused"] = {{"connections", refused.connections},
@@ -175,7 +217,8 @@ Json sent(const ArchiveOptions& options) {
   const std::vector<fs::path> files = io::archive::filesToSend({options.files.begin(), options.files.end()});
   if (files.empty())
     throw io::Error(options.files.front(), "holds no DICOM objects", "name DICOM files, or folders that hold some");
-  const std::vector<io::archive::Sent> all = io::archive::send(options.server, files, progressOnTerminal());
+  const std::vector<io::archive::Sent> all =
+      withServer(options, [&](const auto& server) { return io::archive::send(server, files, progressOnTerminal()); });
   Json objects = Json::array();
   std::size_t accepted = 0;
   for (const io::archive::Sent& each : all) {
@@ -185,7 +228,7 @@ Json sent(const ArchiveOptions& options) {
     if (!each.text.empty()) object["text"] = each.text;
     objects.push_back(std::move(object));
   }
-  return {{"source", options.server.name()}, {"accepted", accepted}, {"objects", std::move(objects)}};
+  return {{"source", nameOf(options)}, {"accepted", accepted}, {"objects", std::move(objects)}};
 }
 
 }  // namespace
@@ -223,7 +266,7 @@ bool archive(const ArchiveOptions& options) {
   printJson(json);
   const std::size_t left = json["objects"].size() - json["accepted"].get<std::size_t>();
   if (left == 0) return true;
-  std::cerr << oneLine("fenestra-cli: " + options.server.name() + ": " + std::to_string(left) + " of " +
+  std::cerr << oneLine("fenestra-cli: " + nameOf(options) + ": " + std::to_string(left) + " of " +
                        std::to_string(json["objects"].size()) +
                        " objects were not accepted; standard output says why for each")
             << '\n';

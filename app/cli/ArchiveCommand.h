@@ -9,17 +9,19 @@
 #include "app/options/Options.h"
 #include "io/archive/Query.h"
 #include "io/archive/Server.h"
+#include "io/archive/WebServer.h"
 
 namespace fenestra::cli {
 
 struct ArchiveOptions {
   enum class Action : std::uint8_t { Echo, Find, Get, Move, Send };
   Action action = Action::Echo;
-  std::string name;  ///< of the server, as it was given
   io::archive::Server server;
+  std::optional<io::archive::WebServer> web;  ///< in place of `server`
   io::archive::Query query;
   std::vector<std::string> files;  ///< to send
   std::filesystem::path output, cache;
+  std::filesystem::path secret;  ///< file of the password or token for `web`
 };
 
 void addArchiveOptions(app::Command command, ArchiveOptions& options);

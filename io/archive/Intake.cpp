@@ -31,13 +31,30 @@ DIC_US Intake::verdictOn(const T_DIMSE_C_StoreRQ& request) {
   if (at == wanted_.objects.end()) return STATUS_STORE_Refused_NotAuthorized;
   if (!at->second.empty() && at->second != request.AffectedSOPClassUID)
     return STATUS_STORE_Error_DataSetDoesNotMatchSOPClass;
+  return isFull() ? STATUS_STORE_Refused_OutOfResources : STATUS_Success;
+}
+
+bool Intake::isFull() {
   std::error_code unknown;
   const fs::space_info space = fs::space(part_, unknown);
-  if (!unknown && space.available < limits_.freeDiskBytes) {
-    failure_ = "the disk of " + cache_.root().string() + " is full";
-    return STATUS_STORE_Refused_OutOfResources;
-  }
-  return STATUS_Success;
+  if (unknown || space.available >= limits_.freeDiskBytes) return false;
+  failure_ = "the disk of " + cache_.root().string() + " is full";
+  return true;
+}
+
+fs::path Intake::newFile() {
+  const std::lock_guard lock(mutex_);
+  if (isFull()) throw Error(cache_.root(), "the disk is full", "make room, and try again; what came is kept");
+  return part_ / ("incoming-" + std::to_string(files_++));
+}
+
+void Intake::take(const fs::path& file) {
+  if (keep(file, "") == STATUS_Success)
+    ++received_;
+  else
+    ++refused_;
+  std::error_code ignored;
+  fs::remove(file, ignored);
 }
 
 OFCondition Intake::readInto(const fs::path& file, T_ASC_Association* association, T_ASC_PresentationContextID context,
@@ -50,22 +67,23 @@ OFCondition Intake::readInto(const fs::path& file, T_ASC_Association* associatio
   return DIMSE_receiveDataSetInFile(association, DIMSE_BLOCKING, 0, &context, stream.get(), note, &activity_);
 }
 
-DIC_US Intake::keep(const fs::path& file, const T_DIMSE_C_StoreRQ& request) {
-  DcmFileFormat object;
+DIC_US Intake::keep(const fs::path& file, const std::string& object) {
+  DcmFileFormat read;
   try {
-    loadHeader(file, object);
+    loadHeader(file, read);
   } catch (const Error&) {
     return STATUS_STORE_Error_CannotUnderstand;
   }
-  DcmDataset& dataset = *object.getDataset();
+  DcmDataset& dataset = *read.getDataset();
   const std::lock_guard lock(mutex_);
+  const std::string uid = textOf(dataset, DCM_SOPInstanceUID);
   if (textOf(dataset, DCM_StudyInstanceUID) != wanted_.study ||
-      textOf(dataset, DCM_SeriesInstanceUID) != wanted_.series ||
-      textOf(dataset, DCM_SOPInstanceUID) != request.AffectedSOPInstanceUID)
+      textOf(dataset, DCM_SeriesInstanceUID) != wanted_.series || !wanted_.objects.contains(uid) ||
+      (!object.empty() && object != uid))
     return STATUS_STORE_Error_DataSetDoesNotMatchSOPClass;
   std::error_code failed;
   fs::permissions(file, fs::perms::owner_read | fs::perms::owner_write, failed);
-  fs::rename(file, part_ / (cacheName(request.AffectedSOPInstanceUID) + ".dcm"), failed);
+  fs::rename(file, part_ / (cacheName(uid) + ".dcm"), failed);
   if (!failed) return STATUS_Success;
   failure_ = "objects cannot be written to " + cache_.root().string();
   return STATUS_STORE_Refused_OutOfResources;
@@ -77,13 +95,9 @@ OFCondition Intake::receive(T_ASC_Association* association, T_ASC_PresentationCo
   watch.beginMessage(limits_.objectBytes);
   OFCondition result = EC_Normal;
   if (status == STATUS_Success) {
-    fs::path file;
-    {
-      const std::lock_guard lock(mutex_);
-      file = part_ / ("incoming-" + std::to_string(files_++));
-    }
+    const fs::path file = newFile();
     result = readInto(file, association, context, request);
-    if (result.good()) status = keep(file, request);
+    if (result.good()) status = keep(file, request.AffectedSOPInstanceUID);
     std::error_code ignored;
     fs::remove(file, ignored);
   } else {

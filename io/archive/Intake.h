@@ -15,15 +15,10 @@
 
 #include "io/archive/Cache.h"
 #include "io/archive/Server.h"
+#include "io/archive/Wanted.h"
 #include "io/archive/Watch.h"
 
 namespace fenestra::io::archive {
-
-/// Objects of one series that are asked for: their class by their UID.
-struct Wanted {
-  std::string study, series;
-  std::map<std::string, std::string> objects;
-};
 
 class Intake {
  public:
@@ -37,6 +32,11 @@ class Intake {
   OFCondition receive(T_ASC_Association* association, T_ASC_PresentationContextID context,
                       const T_DIMSE_C_StoreRQ& request, Watch& watch);
 
+  /// A new file for an object that comes another way; throws Error when the disk is full.
+  std::filesystem::path newFile();
+  /// Takes such a file in where it is wanted, and removes it otherwise.
+  void take(const std::filesystem::path& file);
+
   /// Objects that came since expect(), and those refused at all.
   std::size_t received() const { return received_; }
   std::size_t refused() const { return refused_; }
@@ -45,7 +45,9 @@ class Intake {
 
  private:
   DIC_US verdictOn(const T_DIMSE_C_StoreRQ& request);
-  DIC_US keep(const std::filesystem::path& file, const T_DIMSE_C_StoreRQ& request);
+  /// `object`: the UID that the file was said to have; empty: none was said.
+  DIC_US keep(const std::filesystem::path& file, const std::string& object);
+  bool isFull();
   OFCondition readInto(const std::filesystem::path& file, T_ASC_Association* association,
                        T_ASC_PresentationContextID context, const T_DIMSE_C_StoreRQ& request);
 

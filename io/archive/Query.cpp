@@ -7,6 +7,7 @@
 
 #include "io/archive/Association.h"
 #include "io/archive/Classes.h"
+#include "io/archive/Descent.h"
 #include "io/archive/Keys.h"
 
 namespace fenestra::io::archive {
@@ -24,46 +25,12 @@ class Search {
         association_(server, {{patientModel, plainSyntaxes()}, {studyModel, plainSyntaxes()}}, task) {}
 
   Answers run(const Query& query) {
-    std::vector<Attributes> parents{{}};
-    // Below the study, each level is asked within one study, and images within one series (PS3.4 C.4.1.2.2).
-    if (query.level > Level::Study) parents = allAt(Level::Study, query, parents, "StudyInstanceUID");
-    if (query.level > Level::Series) parents = allAt(Level::Series, query, parents, "SeriesInstanceUID");
-    answers_.records = allAt(query.level, query, parents, nullptr);
+    answers_.records = descend(query, [this](Level level, const Attributes& keys) { return ask(level, keys); });
     association_.release();
     return std::move(answers_);
   }
 
  private:
-  /// What is at a level below each of `parents`; where the query names the one that is meant by `identity`, it is
-  /// taken.
-  std::vector<Attributes> allAt(Level level, const Query& query, const std::vector<Attributes>& parents,
-                                const char* identity) {
-    std::vector<Attributes> found;
-    for (const Attributes& parent : parents) {
-      Attributes keys;
-      bool isNamed = false;
-      for (const auto& [keyword, value] : query.keys) {
-        const Level of = levelOf(keyword, query.level);
-        const bool isAtStudy = of == Level::Patient && level == Level::Study;  // one level in the study root model
-        if (of == level || isAtStudy) keys[keyword] = value;
-        isNamed = isNamed || (identity && keyword == identity && value.find_first_of("*?\\") == std::string::npos);
-      }
-      if (isNamed && keys.size() == 1) {
-        found.push_back(parent);
-        found.back().insert(keys.begin(), keys.end());
-        continue;
-      }
-      for (const char* each : {"StudyInstanceUID", "SeriesInstanceUID"})
-        if (const std::string uid = valueOf(parent, each); !uid.empty()) keys[each] = uid;
-      for (Attributes& record : ask(level, keys)) {
-        record.insert(parent.begin(), parent.end());
-        found.push_back(std::move(record));
-      }
-      if (!answers_.complete) break;
-    }
-    return found;
-  }
-
   /// Asks in one character set after the other.
   std::vector<Attributes> ask(Level level, const Attributes& keys) {
     for (const std::string& set : characterSetsFor(keys, server_.characterSet)) {
@@ -128,7 +95,7 @@ class Search {
 
 std::chrono::milliseconds echo(const Server& server, const Progress& progress) {
   const auto start = std::chrono::steady_clock::now();
-  Task task(server, progress, "asking the server whether it answers");
+  Task task(server.limits, progress, "asking the server whether it answers");
   Association association(server, {{UID_VerificationSOPClass, plainSyntaxes()}}, task);
   association.require(UID_VerificationSOPClass, "C-ECHO");
   DIC_US status = 0;
@@ -143,7 +110,7 @@ std::chrono::milliseconds echo(const Server& server, const Progress& progress) {
 }
 
 Answers find(const Server& server, const Query& query, const Progress& progress) {
-  Task task(server, progress, "searching the archive");
+  Task task(server.limits, progress, "searching the archive");
   return Search(server, task).run(query);
 }
 

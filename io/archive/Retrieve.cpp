@@ -22,19 +22,9 @@ std::vector<Wanted> contentsOf(const Server& server, const Retrieval& retrieval,
   if (!answers.complete)
     refuse(server, "the study has more than " + std::to_string(server.limits.answers) + " objects",
            "retrieve its series one by one");
-  std::map<std::string, Wanted> bySeries;
-  for (const Attributes& record : answers.records) {
-    const std::string object = valueOf(record, "SOPInstanceUID"), series = valueOf(record, "SeriesInstanceUID");
-    if (object.empty() || series.empty()) continue;
-    Wanted& wanted = bySeries[series];
-    wanted.study = retrieval.study;
-    wanted.series = series;
-    wanted.objects[object] = valueOf(record, "SOPClassUID");
-  }
-  if (bySeries.empty())
+  std::vector<Wanted> all = wantedIn(answers.records, retrieval.study);
+  if (all.empty())
     refuse(server, "the server holds no such study or series", "find it first: archive find shows its UID");
-  std::vector<Wanted> all;
-  for (auto& [uid, wanted] : bySeries) all.push_back(std::move(wanted));
   return all;
 }
 
@@ -44,19 +34,16 @@ class Transfer {
       : server_(server),
         retrieval_(retrieval),
         cache_(cache),
-        task_(server, progress, retrieval.way == Way::Get ? "retrieving" : "waiting for what the server sends"),
+        task_(server.limits, progress, retrieval.way == Way::Get ? "retrieving" : "waiting for what the server sends"),
         intake_(cache, server.limits, task_.activity()) {}
 
   Retrieved run(const std::vector<Wanted>& all) {
     std::set<std::string> classes;
-    std::set<std::filesystem::path> kept;
     for (const Wanted& each : all) {
-      kept.insert(cache_.folderOf(each.study, each.series));
-      kept.insert(cache_.partOf(each.study, each.series));
       total_ += each.objects.size();
       for (const auto& [object, objectClass] : each.objects) classes.insert(objectClass);
     }
-    cache_.trim(server_.limits.cacheBytes, kept);
+    makeRoom(all, cache_, server_.limits);
     for (const Wanted& each : all) retrieve(each, classes);
     if (association_) association_->release();
     count();
@@ -92,10 +79,7 @@ class Transfer {
   const char* service() const { return retrieval_.way == Way::Get ? "C-GET" : "C-MOVE"; }
 
   void retrieve(const Wanted& wanted, const std::set<std::string>& classes) {
-    const std::set<std::string> held = cache_.held(wanted.study, wanted.series);
-    Wanted missing{wanted.study, wanted.series, {}};
-    for (const auto& object : wanted.objects)
-      if (!held.contains(cacheName(object.first))) missing.objects.insert(object);
+    const Wanted missing = missingOf(wanted, cache_);
     const std::size_t count = missing.objects.size();
     before_ += wanted.objects.size() - count;
     if (count > 0) {

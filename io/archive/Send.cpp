@@ -124,8 +124,10 @@ std::vector<fs::path> filesToSend(const std::vector<fs::path>& paths) {
   return files;
 }
 
+std::string objectOf(const fs::path& file) { return outgoingOf(file).object; }
+
 std::vector<Sent> send(const Server& server, const std::vector<fs::path>& files, const Progress& progress) {
-  Task task(server, progress, "sending to the archive");
+  Task task(server.limits, progress, "sending to the archive");
   prepareDcmtk();
   std::vector<Outgoing> objects;
   for (const fs::path& file : files) {

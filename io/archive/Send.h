@@ -23,6 +23,9 @@ struct Sent {
 /// not there.
 std::vector<std::filesystem::path> filesToSend(const std::vector<std::filesystem::path>& paths);
 
+/// The SOP Instance UID of a DICOM file. Throws Error.
+std::string objectOf(const std::filesystem::path& file);
+
 /// Sends files as they are; where the server does not take a file's compression, its pixels are sent uncompressed. One
 /// file that the server refuses stops no other. Throws Error when nothing more can be sent, Cancelled.
 std::vector<Sent> send(const Server& server, const std::vector<std::filesystem::path>& files,

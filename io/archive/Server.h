@@ -29,7 +29,7 @@ struct Limits {
   std::uint64_t freeDiskBytes = 1ull << 30;        ///< that stay free where objects are written
   std::uint64_t cacheBytes = 50ull << 30;          ///< of all objects kept
   std::size_t answers = 100'000;                   ///< of one query
-  std::size_t answerBytes = 16u << 20;             ///< of one answer
+  std::size_t answerBytes = 64u << 20;             ///< of one answer, or one page of answers
   std::size_t associations = 4;                    ///< at a time, with our provider
   std::size_t waitingConnections = 16;             ///< that have not yet said who they are
   std::chrono::milliseconds introduction{10'000};  ///< in which a connection must say who it is

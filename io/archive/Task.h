@@ -13,10 +13,8 @@ namespace fenestra::io::archive {
 
 class Task {
  public:
-  Task(const Server& server, const Progress& progress, std::string doing)
-      : progress_(progress),
-        doing_(std::move(doing)),
-        watch_([this] { return report(); }, server.limits.silence, activity_) {}
+  Task(const Limits& limits, const Progress& progress, std::string doing)
+      : progress_(progress), doing_(std::move(doing)), watch_([this] { return report(); }, limits.silence, activity_) {}
   Task(const Task&) = delete;
   Task& operator=(const Task&) = delete;
 

@@ -12,6 +12,7 @@
 #include <chrono>
 #include <cstdlib>
 #include <fstream>
+#include <random>
 
 #include <nlohmann/json.hpp>
 
@@ -49,16 +50,26 @@ bool answers(int port) {
 std::unique_ptr<RunningServer> started(std::unique_ptr<RunningServer> running, const std::vector<std::string>& words,
                                        const fs::path& folder) {
   running->program = std::make_unique<Program>(words, folder / "log");
-  const bool up = eventually([&] { return answers(running->server.port) || !running->program->isRunning(); });
+  const int web =
+      running->web.empty() ? running->server.port : std::stoi(running->web.substr(running->web.rfind(':') + 1));
+  const bool up =
+      eventually([&] { return (answers(running->server.port) && answers(web)) || !running->program->isRunning(); });
   return up && running->program->isRunning() ? std::move(running) : nullptr;
 }
 
 }  // namespace
 
 int freePort() {
-  int port = 0;
-  close(boundSocket(port));
-  return port;
+  // Below the ports that the system gives to outgoing connections, one of which could take it meanwhile.
+  static std::mt19937 engine(static_cast<unsigned>(getpid()));
+  for (;;) {
+    int port = std::uniform_int_distribution(12'000, 31'999)(engine);
+    const int made = socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0);
+    const sockaddr_in address = loopback(port);
+    const bool isFree = bind(made, reinterpret_cast<const sockaddr*>(&address), sizeof address) == 0;
+    close(made);
+    if (isFree) return port;
+  }
 }
 
 int listeningSocket(int& port) {
@@ -155,23 +166,23 @@ std::unique_ptr<RunningServer> startOrthanc(const fs::path& folder, const Certif
   const int web = freePort();
   running->web = "http://127.0.0.1:" + std::to_string(web) + "/dicom-web";
   nlohmann::json config{{"Name", "test"},
-                              {"StorageDirectory", (folder / "store").string()},
-                              {"IndexDirectory", (folder / "store").string()},
-                              {"DicomAet", server.title},
-                              {"DefaultEncoding", "Utf8"},  // of its answers; it drops what another set lacks
-                              {"DicomPort", server.port},
-                              {"DicomCheckCalledAet", true},
-                              {"DicomCheckModalityHost", false},
-                              {"DicomAlwaysAllowGet", true},
-                              {"DicomAlwaysAllowFind", true},
-                              {"DicomAlwaysAllowMove", true},
-                              {"DicomModalities", {{"us", {"FENESTRA", "127.0.0.1", server.ownPort}}}},
-                              {"HttpPort", web},
-                              {"RemoteAccessAllowed", false},
-                              {"AuthenticationEnabled", true},
-                              {"RegisteredUsers", {{"reader", "secret word"}}},
-                              {"Plugins", {"/usr/share/orthanc/plugins"}},
-                              {"DicomWeb", {{"Enable", true}, {"Root", "/dicom-web/"}}}};
+                        {"StorageDirectory", (folder / "store").string()},
+                        {"IndexDirectory", (folder / "store").string()},
+                        {"DicomAet", server.title},
+                        {"DefaultEncoding", "Utf8"},  // of its answers; it drops what another set lacks
+                        {"DicomPort", server.port},
+                        {"DicomCheckCalledAet", true},
+                        {"DicomCheckModalityHost", false},
+                        {"DicomAlwaysAllowGet", true},
+                        {"DicomAlwaysAllowFind", true},
+                        {"DicomAlwaysAllowMove", true},
+                        {"DicomModalities", {{"us", {"FENESTRA", "127.0.0.1", server.ownPort}}}},
+                        {"HttpPort", web},
+                        {"RemoteAccessAllowed", false},
+                        {"AuthenticationEnabled", true},
+                        {"RegisteredUsers", {{"reader", "secret word"}}},
+                        {"Plugins", {"/usr/share/orthanc/plugins"}},
+                        {"DicomWeb", {{"Enable", true}, {"Root", "/dicom-web/"}}}};
   if (!own.key.empty()) {
     server.tls = io::archive::TlsFiles{own.certificate, client.certificate, client.key};
     config.update({{"DicomTlsEnabled", true},
