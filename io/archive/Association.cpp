@@ -116,7 +116,7 @@ void Association::explain(const OFCondition& result, T_ASC_Parameters* parameter
                     : "check the port; a server that expects TLS is named dicoms://");
   if (result.module() == OFM_dcmtls)
     refuse(server_, "no secure connection: " + sentenceOf(result),
-           "check that --tls-authorities names who signed the server's certificate");
+           "name the authority that signed the server's certificate");
   refuse(server_, "what listens there is no DICOM server, or closes the connection at once",
          server_.tls ? "check the port, and whether the server asks for a certificate of ours"
                      : "check the port; a server that expects TLS is named dicoms://");

@@ -5,7 +5,7 @@
 #include <functional>
 #include <vector>
 
-#include "io/archive/Query.h"
+#include "io/archive/Records.h"
 
 namespace fenestra::io::archive {
 

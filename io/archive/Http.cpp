@@ -154,7 +154,7 @@ void Http::explain(int code, const Transfer& transfer) {
     case CURLE_PEER_FAILED_VERIFICATION:
     case CURLE_SSL_CACERT_BADFILE:
       refuse(server_, "the server's certificate is not trusted",
-             "check that --tls-authorities names who signed it, and that it is for this host");
+             "name the authority that signed it, and check that it is for this host");
     case CURLE_SSL_CONNECT_ERROR:
       refuse(server_, "no secure connection can be made", "check the port; a server without TLS is named http://");
     case CURLE_WRITE_ERROR:
@@ -204,7 +204,7 @@ void refuseStatus(const WebServer& server, long status) {
   const std::string answer = "the server answers with HTTP " + std::to_string(status);
   if (status == 401 || status == 403)
     refuse(server, "the server does not let us in (HTTP " + std::to_string(status) + ")",
-           "give --secret, and --user for a password");
+           "give the user and password, or the token, that the server knows");
   if (status == 404)
     refuse(server, "the server has nothing there (HTTP 404)",
            "check that the address is the root of DICOMweb, and that the study is there");

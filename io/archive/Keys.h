@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "io/archive/Query.h"
+#include "io/archive/Records.h"
 #include "io/dicom/Dcmtk.h"
 
 namespace fenestra::io::archive {

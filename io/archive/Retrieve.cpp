@@ -23,8 +23,7 @@ std::vector<Wanted> contentsOf(const Server& server, const Retrieval& retrieval,
     refuse(server, "the study has more than " + std::to_string(server.limits.answers) + " objects",
            "retrieve its series one by one");
   std::vector<Wanted> all = wantedIn(answers.records, retrieval.study);
-  if (all.empty())
-    refuse(server, "the server holds no such study or series", "find it first: archive find shows its UID");
+  if (all.empty()) refuse(server, "the server holds no such study or series", "search for it first, for its UID");
   return all;
 }
 
@@ -201,7 +200,8 @@ class Transfer {
 
 Retrieved retrieve(const Server& server, const Retrieval& retrieval, const Cache& cache, const Progress& progress) {
   if (retrieval.way == Way::Move && server.ownPort == 0)
-    refuse(server, "C-MOVE needs a port of ours that the server sends to", "give it with --port, or use archive get");
+    refuse(server, "C-MOVE needs a port of ours that the server sends to",
+           "set one that is entered at the server, or retrieve by C-GET");
   const std::vector<Wanted> all = contentsOf(server, retrieval, progress);
   return Transfer(server, retrieval, cache, progress).run(all);
 }

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "io/archive/Cache.h"
+#include "io/archive/Refusals.h"
 #include "io/archive/Server.h"
 #include "io/base/Reading.h"
 
@@ -29,14 +30,6 @@ struct RetrievedSeries {
   std::filesystem::path folder;  ///< in the cache, with all of its objects
   std::size_t objects = 0;       ///< that it has
   std::size_t received = 0;      ///< of these, those that came now; the others were here
-};
-
-/// What our storage provider refused while it listened.
-struct Refusals {
-  std::size_t connections = 0;  ///< too many, silent, or not of DICOM
-  std::size_t titles = 0;       ///< associations of another AE title, or to another
-  std::size_t classes = 0;      ///< associations for classes that were not asked for
-  std::size_t objects = 0;      ///< not asked for, too large, or broken
 };
 
 struct Retrieved {

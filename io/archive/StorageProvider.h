@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "io/archive/Intake.h"
-#include "io/archive/Retrieve.h"
+#include "io/archive/Refusals.h"
 #include "io/archive/Server.h"
 #include "io/archive/Watch.h"
 

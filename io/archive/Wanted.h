@@ -6,7 +6,8 @@
 #include <vector>
 
 #include "io/archive/Cache.h"
-#include "io/archive/Query.h"
+#include "io/archive/Records.h"
+#include "io/archive/Server.h"
 
 namespace fenestra::io::archive {
 

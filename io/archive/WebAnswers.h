@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "io/archive/Query.h"
+#include "io/archive/Records.h"
 
 namespace fenestra::io::archive {
 

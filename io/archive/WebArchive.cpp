@@ -281,8 +281,7 @@ Retrieved retrieve(const WebServer& server, const Retrieval& retrieval, const Ca
   if (!retrieval.series.empty()) query.keys["SeriesInstanceUID"] = retrieval.series;
   const Answers answers = WebSearch(server, http).run(query);
   const std::vector<Wanted> all = wantedIn(answers.records, retrieval.study);
-  if (all.empty())
-    refuse(server, "the server holds no such study or series", "find it first: archive find shows its UID");
+  if (all.empty()) refuse(server, "the server holds no such study or series", "search for it first, for its UID");
   if (!answers.complete)
     refuse(server, "the study has more than " + std::to_string(server.limits.answers) + " objects",
            "retrieve its series one by one");

@@ -68,25 +68,55 @@ TEST_F(ArchiveCommand, SendsFindsAndRetrievesAFolderThatOtherCommandsOpen) {
   }
 }
 
+TEST_F(ArchiveCommand, SpeaksDicomwebAndTellsNoSecret) {
+  FENESTRA_PROGRAM_OR_SKIP("Orthanc", "orthanc");
+  const std::unique_ptr<RunningServer> running = startOrthanc(folder() / "server");
+  ASSERT_TRUE(running);
+  const MadeStudy study = makeStudy(folder() / "studies", "1.2.3.97", 3);
+  write(at("secret"), "secret word\n");
+  const auto runWeb = [&](std::vector<std::string> words, const std::string& secret) {
+    words.insert(words.begin() + 2, running->web);
+    words.insert(words.end(), {"--user", "reader", "--secret", at(secret)});
+    const Result result = run(words);
+    EXPECT_EQ((result.out + result.error).find("secret word"), std::string::npos);
+    return result;
+  };
+  EXPECT_EQ(runWeb({"archive", "send", at("studies")}, "secret").json()["accepted"], 3);
+  EXPECT_EQ(runWeb({"archive", "find", "--key", "PatientID=T-1.2.3.97"}, "secret").json()["results"].size(), 1u);
+  const Result got = runWeb(
+      {"archive", "get", "--key", "StudyInstanceUID=" + study.uid, "-o", at("out"), "--cache", at("cache")}, "secret");
+  EXPECT_EQ(got.exitCode, 0) << got.error;
+  EXPECT_EQ(objectsIn(at("out")), objectsIn(study.folder));
+  write(at("wrong"), "another word\n");
+  const Result refused = runWeb({"archive", "echo"}, "wrong");
+  expectFailure(refused, running->web);
+  EXPECT_EQ(refused.error.find("another"), std::string::npos) << refused.error;
+}
+
 TEST_F(ArchiveCommand, FailsWithOneLineAndKnowsWrongUsage) {
   const std::string nobody = "dicom://ANY@127.0.0.1:" + std::to_string(freePort());
   const Result refused = run({"archive", "echo", nobody});
   expectFailure(refused, nobody);
   EXPECT_NE(refused.error.find("nothing listens on port"), std::string::npos) << refused.error;
-  const std::vector<std::vector<std::string>> wrong{{"archive", "echo", "127.0.0.1:104"},
-                                                    {"archive", "echo", "dicom://NO_TITLE_HAS_MORE_THAN_16@host:104"},
-                                                    {"archive", "echo", "dicom://A@host:99999"},
-                                                    {"archive", "fetch", nobody},
-                                                    {"archive", "echo", "dicoms://A@host:104"},
-                                                    {"archive", "echo", nobody, "--tls-authorities", "a.pem"},
-                                                    {"archive", "find", nobody, "--key", "PatientName"},
-                                                    {"archive", "find", nobody, "--key", "Nonsense=1"},
-                                                    {"archive", "find", nobody, "--key", "PixelData=1"},
-                                                    {"archive", "get", nobody, "-o", at("out")},
-                                                    {"archive", "get", nobody, "--key", "PatientID=1"},
-                                                    {"archive", "move", nobody, "--key", "StudyInstanceUID=1"},
-                                                    {"archive", "send", nobody},
-                                                    {"archive", "echo", nobody, at("file")}};
+  const std::vector<std::vector<std::string>> wrong{
+      {"archive", "echo", "127.0.0.1:104"},
+      {"archive", "echo", "dicom://NO_TITLE_HAS_MORE_THAN_16@host:104"},
+      {"archive", "echo", "dicom://A@host:99999"},
+      {"archive", "fetch", nobody},
+      {"archive", "echo", "dicoms://A@host:104"},
+      {"archive", "echo", nobody, "--tls-authorities", "a.pem"},
+      {"archive", "find", nobody, "--key", "PatientName"},
+      {"archive", "find", nobody, "--key", "Nonsense=1"},
+      {"archive", "find", nobody, "--key", "PixelData=1"},
+      {"archive", "get", nobody, "-o", at("out")},
+      {"archive", "get", nobody, "--key", "PatientID=1"},
+      {"archive", "move", nobody, "--key", "StudyInstanceUID=1"},
+      {"archive", "send", nobody},
+      {"archive", "echo", nobody, at("file")},
+      {"archive", "echo", nobody, "--secret", at("file")},
+      {"archive", "echo", "https://user:word@host/dicom-web"},
+      {"archive", "echo", "https://host/dicom-web", "--user", "reader"},
+      {"archive", "move", "https://host/dicom-web", "--key", "StudyInstanceUID=1", "--port", "5000"}};
   for (const std::vector<std::string>& words : wrong) {
     const Result result = run(words);
     EXPECT_EQ(result.exitCode, 2) << words[1] << " " << words.back() << ": " << result.error;

@@ -14,6 +14,7 @@
 #include "io/archive/Multipart.h"
 #include "io/archive/WebAnswers.h"
 #include "io/archive/WebArchive.h"
+#include "io/archive/Wildcards.h"
 #include "tests/archive/MadeStudies.h"
 #include "tests/archive/Servers.h"
 #include "tests/io/IoTesting.h"
@@ -229,6 +230,19 @@ TEST(ArchiveWebAnswers, BrokenOnesGiveOneSentence) {
     EXPECT_NE(error.find(sentence), std::string::npos) << answer.substr(0, 60) << ": " << error;
     EXPECT_EQ(error.find('\n'), std::string::npos);
   }
+}
+
+TEST(ArchiveWebAnswers, AreMatchedWhereTheServerCannot) {
+  for (const auto& [pattern, text] : std::vector<std::pair<std::string, std::string>>{{"Müller*", "Müller^Jürgen"},
+                                                                                      {"m?ller^*", "Müller^Jürgen"},
+                                                                                      {"*", ""},
+                                                                                      {"山田*", "Yamada=山田^太郎"},
+                                                                                      {"a*b*c", "aXbbYc"},
+                                                                                      {"smith^anna", "Smith^Anna"}})
+    EXPECT_TRUE(archive::matches(pattern, text)) << pattern;
+  for (const auto& [pattern, text] : std::vector<std::pair<std::string, std::string>>{
+           {"Möller*", "Müller^Jürgen"}, {"?", ""}, {"?", "ab"}, {"a*b", "abc"}, {"", "a"}})
+    EXPECT_FALSE(archive::matches(pattern, text)) << pattern;
 }
 
 TEST(ArchiveWebAnswers, SayNamesNumbersAndLists) {
