@@ -15,7 +15,6 @@
 #include <dcmtk/dcmnet/dul.h>
 
 #include "io/archive/Classes.h"
-#include "io/archive/Transport.h"
 #include "io/dicom/Dcmtk.h"
 
 namespace fenestra::io::archive {
@@ -41,7 +40,7 @@ StorageProvider::StorageProvider(const Server& server, std::set<std::string> cla
 StorageProvider::~StorageProvider() {
   stops_ = true;
   listening_.join();
-  for (std::thread& each : served_) each.join();
+  for (Served& each : served_) each.thread.join();
   for (const Waiting& each : waiting_) close(each.socket);
   close(socket_);
 }
@@ -107,20 +106,28 @@ StorageProvider::Introduction StorageProvider::introductionOf(int socket) const 
 }
 
 void StorageProvider::sortWaiting() {
-  const auto now = std::chrono::steady_clock::now();
-  for (auto each = waiting_.begin(); each != waiting_.end();) {
-    const Introduction introduction = introductionOf(each->socket);
-    const bool isLate = now - each->since > server_.limits.introduction;
-    if (introduction == Introduction::Expected && !isLate) {
+  for (auto each = served_.begin(); each != served_.end();) {
+    if (!each->isOver) {
       ++each;
       continue;
     }
-    if (introduction == Introduction::Complete && active_ < server_.limits.associations) {
-      ++active_;
-      served_.emplace_back([this, socket = each->socket] {
+    each->thread.join();
+    each = served_.erase(each);
+  }
+  const auto now = std::chrono::steady_clock::now();
+  for (auto each = waiting_.begin(); each != waiting_.end();) {
+    const Introduction introduction = introductionOf(each->socket);
+    const bool isComplete = introduction == Introduction::Complete;
+    const bool isLate = now - each->since > (isComplete ? server_.limits.silence : server_.limits.introduction);
+    if (isComplete && served_.size() < server_.limits.associations) {
+      Served& served = served_.emplace_back();
+      served.thread = std::thread([this, &served, socket = each->socket] {
         serve(socket);
-        --active_;
+        served.isOver = true;
       });
+    } else if (introduction != Introduction::Wrong && !isLate) {
+      ++each;
+      continue;
     } else {
       ++connections_;
       close(each->socket);
@@ -129,27 +136,37 @@ void StorageProvider::sortWaiting() {
   }
 }
 
+OFCondition StorageProvider::receiveAssociation(int socket, WatchedLayer& layer, T_ASC_Network*& network,
+                                                T_ASC_Association*& association) {
+  constexpr int seconds = 3600;  // the watch's limits take their place
+  std::unique_lock lock(handingOver);
+  const auto taken = [&] {
+    dcmExternalSocketHandle.set(-1);
+    lock.unlock();
+  };
+  layer.onConnection(taken);  // a handshake that never ends holds nobody else up
+  dcmExternalSocketHandle.set(socket);
+  OFCondition result = ASC_initializeNetwork(NET_ACCEPTOR, 0, seconds, &network);
+  if (result.good()) {
+    ASC_setTransportLayer(network, &layer, 0);
+    result = ASC_receiveAssociation(network, &association, ASC_MAXIMUMPDUSIZE, nullptr, nullptr, layer.isSecure(),
+                                    DUL_NOBLOCK, seconds);
+  }
+  if (lock.owns_lock()) taken();
+  layer.onConnection({});
+  return result;
+}
+
 void StorageProvider::serve(int socket) {
   Activity activity;
-  Watch watch([this] { return !stops_; }, server_.limits.silence, activity);
+  Watch watch([this] { return !stops_; }, server_.limits.introduction, activity);
   T_ASC_Network* network = nullptr;
   T_ASC_Association* association = nullptr;
   try {
     WatchedLayer layer(watch, server_, true);
-    OFCondition result;
-    {
-      const std::lock_guard lock(handingOver);
-      constexpr int seconds = 3600;  // the watch's limits take their place
-      dcmExternalSocketHandle.set(socket);
-      result = ASC_initializeNetwork(NET_ACCEPTOR, 0, seconds, &network);
-      if (result.good()) {
-        ASC_setTransportLayer(network, &layer, 0);
-        result = ASC_receiveAssociation(network, &association, ASC_MAXIMUMPDUSIZE, nullptr, nullptr, layer.isSecure(),
-                                        DUL_NOBLOCK, seconds);
-      }
-      dcmExternalSocketHandle.set(-1);
-    }
-    if (result.bad())
+    const bool isReceived = receiveAssociation(socket, layer, network, association).good();
+    watch.setSilence(server_.limits.silence);
+    if (!isReceived)
       ++connections_;
     else if (negotiate(association))
       converse(association, watch);
@@ -157,10 +174,11 @@ void StorageProvider::serve(int socket) {
       ASC_dropAssociation(association);
       ASC_destroyAssociation(&association);
     }
+    if (network) ASC_dropNetwork(&network);
   } catch (const Error&) {  // of TLS's files
     ++connections_;
+    close(socket);
   }
-  if (network) ASC_dropNetwork(&network);
 }
 
 bool StorageProvider::negotiate(T_ASC_Association* association) {

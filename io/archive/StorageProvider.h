@@ -16,6 +16,7 @@
 #include "io/archive/Intake.h"
 #include "io/archive/Refusals.h"
 #include "io/archive/Server.h"
+#include "io/archive/Transport.h"
 #include "io/archive/Watch.h"
 
 namespace fenestra::io::archive {
@@ -46,6 +47,8 @@ class StorageProvider {
   void sortWaiting();
   Introduction introductionOf(int socket) const;
   void serve(int socket);
+  OFCondition receiveAssociation(int socket, WatchedLayer& layer, T_ASC_Network*& network,
+                                 T_ASC_Association*& association);
   void converse(T_ASC_Association* association, Watch& watch);
   bool negotiate(T_ASC_Association* association);
 
@@ -54,9 +57,14 @@ class StorageProvider {
   Intake& intake_;
   int socket_ = -1;
   std::atomic<bool> stops_ = false;
-  std::atomic<std::size_t> active_ = 0, connections_ = 0, titles_ = 0, classesRefused_ = 0;
+  std::atomic<std::size_t> connections_ = 0, titles_ = 0, classesRefused_ = 0;
   std::vector<Waiting> waiting_;  ///< of the listening thread
-  std::vector<std::thread> served_;
+  /// A conversation, and whether it has ended.
+  struct Served {
+    std::atomic<bool> isOver = false;
+    std::thread thread;
+  };
+  std::list<Served> served_;  ///< of the listening thread
   std::thread listening_;
 };
 

@@ -125,6 +125,7 @@ WatchedLayer::WatchedLayer(Watch& watch, const Server& server, bool accepts) : w
 }
 
 DcmTransportConnection* WatchedLayer::createConnection(DcmNativeSocketType socket, OFBool secure) {
+  if (onConnection_) onConnection_();
   DcmTransportConnection* inner = secure && secure_ ? secure_->createConnection(socket, OFTrue)
                                                     : DcmTransportLayer::createConnection(socket, OFFalse);
   return inner ? new WatchedConnection(socket, inner, watch_) : nullptr;

@@ -2,6 +2,7 @@
 // DCMTK's connections under our watch: each read and write waits in short steps, so that a user can cancel at once and
 // a silent peer is noticed. Private to io/archive; include in .cpp files alone.
 
+#include <functional>
 #include <memory>
 
 #include <dcmtk/config/osconfig.h>
@@ -20,10 +21,13 @@ class WatchedLayer : public DcmTransportLayer {
   WatchedLayer(Watch& watch, const Server& server, bool accepts);
 
   DcmTransportConnection* createConnection(DcmNativeSocketType socket, OFBool secure) override;
+  /// Called when a connection is made, before its handshake.
+  void onConnection(std::function<void()> act) { onConnection_ = std::move(act); }
   bool isSecure() const { return secure_ != nullptr; }
 
  private:
   Watch& watch_;
+  std::function<void()> onConnection_;
   std::unique_ptr<DcmTLSTransportLayer> secure_;
 };
 

@@ -41,6 +41,8 @@ class Watch {
   /// Asks goesOn where nothing is waited for.
   bool check();
 
+  void setSilence(std::chrono::milliseconds silence) { silence_ = silence; }
+
   End end() const { return end_; }
   std::chrono::milliseconds silence() const { return silence_; }
 

@@ -140,6 +140,28 @@ TEST_F(ArchiveProvider, LetsTheServerInBesideConnectionsThatSayNothing) {
   for (const int each : open) close(each);
 }
 
+TEST_F(ArchiveProvider, LetsTheServerInBesideHandshakesThatStop) {
+  FENESTRA_PROGRAM_OR_SKIP("openssl", "openssl");
+  const Certificate own = makeCertificate(folder_, "own");
+  server_.tls = archive::TlsFiles{own.certificate, own.certificate, own.key};
+  server_.limits.introduction = std::chrono::milliseconds(300);
+  start();
+  std::vector<int> open;
+  for (int i = 0; i < 6; ++i) {  // more than associations may be
+    open.push_back(connectTo(server_.ownPort));
+    send(open.back(), "\x16\x03\x01", 3, MSG_NOSIGNAL);  // the start of a handshake
+  }
+  archive::Server us = server_;
+  us.host = "127.0.0.1";
+  us.port = server_.ownPort;
+  std::swap(us.title, us.ownTitle);
+  for (const archive::Sent& each : archive::send(us, archive::filesToSend({study_.folder})))
+    EXPECT_TRUE(each.accepted) << each.text;
+  EXPECT_EQ(held(), 3u);
+  EXPECT_TRUE(eventually([&] { return provider_->refusals().connections >= 6; }));
+  for (const int each : open) close(each);
+}
+
 TEST_F(ArchiveProvider, StopsListeningAtOnce) {
   start();
   const int open = connectTo(server_.ownPort);
