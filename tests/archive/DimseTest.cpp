@@ -116,4 +116,24 @@ TEST(ArchiveDimse, OrthancHoldsFindsAndReturnsFiveStudies) {
   expectAll(startOrthanc(folder / "server").get(), folder);
 }
 
+TEST(ArchiveDimse, ARealSeriesComesBackAsItWas) {
+  FENESTRA_PROGRAM_OR_SKIP("dcmqrscp", "dcmtk");
+  FENESTRA_TEST_DATA_OR_SKIP(real, "dicom/ct-missing-slice-tilted");
+  const fs::path folder = scratchFolder();
+  const std::unique_ptr<RunningServer> running = startDcmqrscp(folder / "server");
+  ASSERT_TRUE(running) << readFile(folder / "server/log");
+  expectSent(running->server, real);
+  const archive::Answers series = archive::find(running->server, {archive::Level::Series, {}});
+  ASSERT_FALSE(series.records.empty());
+  for (const archive::Way way : {archive::Way::Get, archive::Way::Move}) {
+    const fs::path root = folder / (way == archive::Way::Get ? "got" : "moved");
+    const archive::Cache cache(root);
+    for (const archive::Attributes& each : series.records)
+      archive::retrieve(running->server,
+                        {archive::valueOf(each, "StudyInstanceUID"), archive::valueOf(each, "SeriesInstanceUID"), way},
+                        cache);
+    EXPECT_TRUE(objectsIn(root) == objectsIn(real));
+  }
+}
+
 }  // namespace fenestra::tests::dimseTest
