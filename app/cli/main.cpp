@@ -18,6 +18,7 @@
 #include "app/SceneOptions.h"
 #include "app/ScheduleChoice.h"
 #include "app/WallOptions.h"
+#include "app/cli/ArchiveCommand.h"
 #include "app/cli/Commands.h"
 #include "app/cli/PlacementOptions.h"
 #include "app/cli/Report.h"
@@ -233,6 +234,14 @@ Runnable addCompare(app::Program& program, CompareOptions& options) {
   return {command, nullptr, [&] { return compare(options); }};
 }
 
+Runnable addArchive(app::Program& program, ArchiveOptions& options) {
+  const app::Command command = program.addCommand("archive",
+                                                  "asks an archive server (PACS) for studies, retrieves them, and "
+                                                  "sends objects to it; echo asks whether it answers");
+  addArchiveOptions(command, options);
+  return {command, nullptr, [&] { return archive(options); }};
+}
+
 int main(int argc, char** argv) {
   app::Program program(
       "Fenestra without a window: looks into medical volumes and pictures them with an adaptive cutaway.\n"
@@ -249,11 +258,12 @@ int main(int argc, char** argv) {
   GrowOptions growOptions;
   BenchmarkOptions benchmarkOptions;
   CompareOptions compareOptions;
-  const std::array commands{addInfo(program, infoOptions),          addConvert(program, convertOptions),
-                            addSlice(program, sliceOptions),        addRender(program, renderOptions),
-                            addPlace(program, placeOptions),        addGrow(program, growOptions),
-                            addSurface(program, surfaceOptions),    addCompare(program, compareOptions),
-                            addBenchmark(program, benchmarkOptions)};
+  ArchiveOptions archiveOptions;
+  const std::array commands{addInfo(program, infoOptions),           addConvert(program, convertOptions),
+                            addSlice(program, sliceOptions),         addRender(program, renderOptions),
+                            addPlace(program, placeOptions),         addGrow(program, growOptions),
+                            addSurface(program, surfaceOptions),     addCompare(program, compareOptions),
+                            addBenchmark(program, benchmarkOptions), addArchive(program, archiveOptions)};
   try {
     const app::Program::Parsed parsed = program.parse(argc, argv);
     if (parsed.exitCode) return *parsed.exitCode;

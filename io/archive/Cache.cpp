@@ -1,0 +1,158 @@
+#include "io/archive/Cache.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <system_error>
+
+#include "io/base/Contents.h"
+#include "io/base/Error.h"
+
+namespace fenestra::io::archive {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A folder that its owner alone can enter. Throws Error.
+void makePrivate(const fs::path& folder) {
+  std::error_code failure;
+  fs::create_directories(folder, failure);
+  if (!failure) fs::permissions(folder, fs::perms::owner_all, failure);
+  if (failure) throw Error(folder, "cannot be made: " + failure.message(), "name a folder that can be written to");
+}
+
+std::vector<fs::path> objectsIn(const fs::path& folder) {
+  std::vector<fs::path> files;
+  std::error_code failure;
+  for (fs::directory_iterator entry(folder, failure); !failure && entry != fs::directory_iterator();
+       entry.increment(failure))
+    if (entry->path().extension() == ".dcm") files.push_back(entry->path());
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+/// A series of the cache, for trimming.
+struct KeptSeries {
+  fs::path folder;
+  fs::file_time_type used;
+  std::uint64_t bytes = 0;
+};
+
+std::vector<KeptSeries> seriesIn(const fs::path& root) {
+  std::vector<KeptSeries> all;
+  std::error_code failure;
+  for (const auto& study : fs::directory_iterator(root, failure)) {
+    if (!study.is_directory(failure)) continue;
+    for (const auto& series : fs::directory_iterator(study.path(), failure)) {
+      if (!series.is_directory(failure)) continue;
+      KeptSeries kept{series.path(), fs::last_write_time(series.path(), failure)};
+      for (const auto& file : fs::directory_iterator(series.path(), failure)) kept.bytes += file.file_size(failure);
+      all.push_back(std::move(kept));
+    }
+  }
+  return all;
+}
+
+}  // namespace
+
+fs::path defaultCacheFolder() {
+  const auto folder = [](const char* variable) {
+    const char* value = std::getenv(variable);
+    return fs::path(value ? value : "");
+  };
+  fs::path cache = folder("XDG_CACHE_HOME");
+  if (!cache.is_absolute() && !folder("HOME").empty()) cache = folder("HOME") / ".cache";
+  return cache.is_absolute() ? cache / "fenestra" / "archive" : fs::path();
+}
+
+std::string cacheName(const std::string& uid) {
+  constexpr std::size_t scheme = 7, digits = 32;  // "sha256:", and enough of it that no two UIDs meet
+  return hashOf(uid).substr(scheme, digits);
+}
+
+Cache::Cache(fs::path root) : root_(std::move(root)) { makePrivate(root_); }
+
+fs::path Cache::folderOf(const std::string& study, const std::string& series) const {
+  return root_ / cacheName(study) / cacheName(series);
+}
+
+fs::path Cache::partOf(const std::string& study, const std::string& series) const {
+  fs::path part = folderOf(study, series);
+  makePrivate(part.parent_path());
+  part += ".part";
+  makePrivate(part);
+  return part;
+}
+
+std::set<std::string> Cache::held(const std::string& study, const std::string& series) const {
+  fs::path part = folderOf(study, series);
+  std::set<std::string> names;
+  for (const fs::path& file : objectsIn(part)) names.insert(file.stem().string());
+  part += ".part";
+  for (const fs::path& file : objectsIn(part)) names.insert(file.stem().string());
+  return names;
+}
+
+void Cache::complete(const std::string& study, const std::string& series) const {
+  const fs::path whole = folderOf(study, series), part = partOf(study, series);
+  if (fs::exists(whole)) {
+    for (const fs::path& file : objectsIn(part)) fs::rename(file, whole / file.filename());
+    fs::remove_all(part);
+  } else {
+    fs::rename(part, whole);
+  }
+  std::error_code failure;
+  fs::last_write_time(whole, fs::file_time_type::clock::now(), failure);  // used now, for trim()
+}
+
+std::uint64_t Cache::bytes() const {
+  std::uint64_t bytes = 0;
+  for (const KeptSeries& each : seriesIn(root_)) bytes += each.bytes;
+  return bytes;
+}
+
+void Cache::trim(std::uint64_t most, const std::set<fs::path>& kept) const {
+  std::vector<KeptSeries> all = seriesIn(root_);
+  std::sort(all.begin(), all.end(), [](const auto& a, const auto& b) { return a.used < b.used; });
+  std::uint64_t bytes = 0;
+  for (const KeptSeries& each : all) bytes += each.bytes;
+  for (const KeptSeries& each : all) {
+    if (bytes <= most) return;
+    if (kept.contains(each.folder)) continue;
+    std::error_code failure;
+    fs::remove_all(each.folder, failure);
+    fs::remove(each.folder.parent_path(), failure);  // of a study that holds no more series
+    bytes -= each.bytes;
+  }
+}
+
+void Cache::clear() const {
+  std::error_code failure;
+  for (const auto& study : fs::directory_iterator(root_, failure)) fs::remove_all(study.path(), failure);
+}
+
+std::size_t layOut(const std::vector<fs::path>& series, const fs::path& folder) {
+  std::error_code failure;
+  if (fs::exists(folder, failure) && !fs::is_empty(folder, failure))
+    throw Error(folder, "holds files", "name a folder that does not exist or is empty");
+  fs::path made = folder;
+  if (!made.has_filename()) made = made.parent_path();
+  const fs::path target = made;
+  made += ".part";
+  fs::remove_all(made, failure);
+  makePrivate(made);
+  std::size_t count = 0;
+  for (const fs::path& each : series)
+    for (const fs::path& file : objectsIn(each)) {
+      fs::create_hard_link(file, made / file.filename(), failure);
+      if (failure) fs::copy_file(file, made / file.filename(), failure);
+      if (failure) break;
+      ++count;
+    }
+  if (!failure) fs::rename(made, target, failure);
+  if (!failure) return count;
+  const std::string why = failure.message();
+  fs::remove_all(made, failure);
+  throw Error(folder, "cannot be written: " + why, "choose a place with space that can be written to");
+}
+
+}  // namespace fenestra::io::archive

@@ -1,0 +1,123 @@
+#include "io/archive/Intake.h"
+
+#include <memory>
+#include <system_error>
+
+#include <dcmtk/dcmdata/dcostrmf.h>
+
+#include "io/base/Error.h"
+#include "io/dicom/Dataset.h"
+#include "io/dicom/DicomValues.h"
+
+namespace fenestra::io::archive {
+
+namespace fs = std::filesystem;
+
+void Intake::expect(Wanted wanted) {
+  const std::lock_guard lock(mutex_);
+  part_ = cache_.partOf(wanted.study, wanted.series);
+  wanted_ = std::move(wanted);
+  received_ = 0;
+}
+
+std::string Intake::failure() const {
+  const std::lock_guard lock(mutex_);
+  return failure_;
+}
+
+DIC_US Intake::verdictOn(const T_DIMSE_C_StoreRQ& request) {
+  const std::lock_guard lock(mutex_);
+  const auto at = wanted_.objects.find(request.AffectedSOPInstanceUID);
+  if (at == wanted_.objects.end()) return STATUS_STORE_Refused_NotAuthorized;
+  if (!at->second.empty() && at->second != request.AffectedSOPClassUID)
+    return STATUS_STORE_Error_DataSetDoesNotMatchSOPClass;
+  return isFull() ? STATUS_STORE_Refused_OutOfResources : STATUS_Success;
+}
+
+bool Intake::isFull() {
+  std::error_code unknown;
+  const fs::space_info space = fs::space(part_, unknown);
+  if (unknown || space.available >= limits_.freeDiskBytes) return false;
+  failure_ = "the disk of " + cache_.root().string() + " is full";
+  return true;
+}
+
+fs::path Intake::newFile() {
+  const std::lock_guard lock(mutex_);
+  if (isFull()) throw Error(cache_.root(), "the disk is full", "make room, and try again; what came is kept");
+  return part_ / ("incoming-" + std::to_string(files_++));
+}
+
+void Intake::take(const fs::path& file) {
+  if (keep(file, "") == STATUS_Success)
+    ++received_;
+  else
+    ++refused_;
+  std::error_code ignored;
+  fs::remove(file, ignored);
+}
+
+OFCondition Intake::readInto(const fs::path& file, T_ASC_Association* association, T_ASC_PresentationContextID context,
+                             const T_DIMSE_C_StoreRQ& request) {
+  DcmOutputFileStream* made = nullptr;
+  const OFCondition opened = DIMSE_createFilestream(file.c_str(), &request, association, context, 1, &made);
+  const std::unique_ptr<DcmOutputFileStream> stream(made);
+  if (opened.bad()) return opened;
+  const auto note = [](void* activity, unsigned long) { static_cast<Activity*>(activity)->note(); };
+  return DIMSE_receiveDataSetInFile(association, DIMSE_BLOCKING, 0, &context, stream.get(), note, &activity_);
+}
+
+DIC_US Intake::keep(const fs::path& file, const std::string& object) {
+  DcmFileFormat read;
+  try {
+    loadHeader(file, read);
+  } catch (const Error&) {
+    return STATUS_STORE_Error_CannotUnderstand;
+  }
+  DcmDataset& dataset = *read.getDataset();
+  const std::lock_guard lock(mutex_);
+  const std::string uid = textOf(dataset, DCM_SOPInstanceUID);
+  if (textOf(dataset, DCM_StudyInstanceUID) != wanted_.study ||
+      textOf(dataset, DCM_SeriesInstanceUID) != wanted_.series || !wanted_.objects.contains(uid) ||
+      (!object.empty() && object != uid))
+    return STATUS_STORE_Error_DataSetDoesNotMatchSOPClass;
+  std::error_code failed;
+  fs::permissions(file, fs::perms::owner_read | fs::perms::owner_write, failed);
+  fs::rename(file, part_ / (cacheName(uid) + ".dcm"), failed);
+  if (!failed) return STATUS_Success;
+  failure_ = "objects cannot be written to " + cache_.root().string();
+  return STATUS_STORE_Refused_OutOfResources;
+}
+
+OFCondition Intake::receive(T_ASC_Association* association, T_ASC_PresentationContextID context,
+                            const T_DIMSE_C_StoreRQ& request, Watch& watch) {
+  DIC_US status = verdictOn(request);
+  watch.beginMessage(limits_.objectBytes);
+  OFCondition result = EC_Normal;
+  if (status == STATUS_Success) {
+    const fs::path file = newFile();
+    result = readInto(file, association, context, request);
+    if (result.good()) status = keep(file, request.AffectedSOPInstanceUID);
+    std::error_code ignored;
+    fs::remove(file, ignored);
+  } else {
+    DIC_UL bytes = 0, parts = 0;
+    result = DIMSE_ignoreDataSet(association, DIMSE_BLOCKING, 0, &bytes, &parts);
+  }
+  if (status == STATUS_Success && result.good())
+    ++received_;
+  else
+    ++refused_;
+  if (result.bad()) return result;
+  T_DIMSE_C_StoreRSP response{};
+  response.MessageIDBeingRespondedTo = request.MessageID;
+  OFStandard::strlcpy(response.AffectedSOPClassUID, request.AffectedSOPClassUID, sizeof response.AffectedSOPClassUID);
+  OFStandard::strlcpy(response.AffectedSOPInstanceUID, request.AffectedSOPInstanceUID,
+                      sizeof response.AffectedSOPInstanceUID);
+  response.DataSetType = DIMSE_DATASET_NULL;
+  response.DimseStatus = status;
+  response.opts = O_STORE_AFFECTEDSOPCLASSUID | O_STORE_AFFECTEDSOPINSTANCEUID;
+  return DIMSE_sendStoreResponse(association, context, &request, &response, nullptr);
+}
+
+}  // namespace fenestra::io::archive

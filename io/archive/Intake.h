@@ -1,0 +1,64 @@
+#pragma once
+// Objects that come, into the cache: which are let in, how large they may be, and what was refused. Several connections
+// may bring objects at once. Private to io/archive; include in .cpp files alone.
+
+#include <atomic>
+#include <filesystem>
+#include <map>
+#include <mutex>
+#include <optional>
+#include <string>
+
+#include <dcmtk/config/osconfig.h>
+#include <dcmtk/dcmnet/assoc.h>
+#include <dcmtk/dcmnet/dimse.h>
+
+#include "io/archive/Cache.h"
+#include "io/archive/Server.h"
+#include "io/archive/Wanted.h"
+#include "io/archive/Watch.h"
+
+namespace fenestra::io::archive {
+
+class Intake {
+ public:
+  Intake(const Cache& cache, const Limits& limits, Activity& activity)
+      : cache_(cache), limits_(limits), activity_(activity) {}
+
+  /// From here on these are let in, and none else.
+  void expect(Wanted wanted);
+  /// Reads the object that follows a C-STORE request, keeps it where it is wanted, and answers. Bad: the association is
+  /// of no more use.
+  OFCondition receive(T_ASC_Association* association, T_ASC_PresentationContextID context,
+                      const T_DIMSE_C_StoreRQ& request, Watch& watch);
+
+  /// A new file for an object that comes another way; throws Error when the disk is full.
+  std::filesystem::path newFile();
+  /// Takes such a file in where it is wanted, and removes it otherwise.
+  void take(const std::filesystem::path& file);
+
+  /// Objects that came since expect(), and those refused at all.
+  std::size_t received() const { return received_; }
+  std::size_t refused() const { return refused_; }
+  /// Why objects that were wanted could not be kept, as a clause; empty: they could.
+  std::string failure() const;
+
+ private:
+  DIC_US verdictOn(const T_DIMSE_C_StoreRQ& request);
+  /// `object`: the UID that the file was said to have; empty: none was said.
+  DIC_US keep(const std::filesystem::path& file, const std::string& object);
+  bool isFull();
+  OFCondition readInto(const std::filesystem::path& file, T_ASC_Association* association,
+                       T_ASC_PresentationContextID context, const T_DIMSE_C_StoreRQ& request);
+
+  const Cache& cache_;
+  const Limits& limits_;
+  Activity& activity_;
+  mutable std::mutex mutex_;
+  Wanted wanted_;
+  std::filesystem::path part_;
+  std::string failure_;
+  std::atomic<std::size_t> received_ = 0, refused_ = 0, files_ = 0;
+};
+
+}  // namespace fenestra::io::archive

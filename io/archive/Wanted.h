@@ -1,0 +1,27 @@
+#pragma once
+// What a retrieval asks for, and what of it is not here yet. Private to io/archive.
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "io/archive/Cache.h"
+#include "io/archive/Records.h"
+#include "io/archive/Server.h"
+
+namespace fenestra::io::archive {
+
+/// Objects of one series that are asked for: their class by their UID.
+struct Wanted {
+  std::string study, series;
+  std::map<std::string, std::string> objects;
+};
+
+/// The objects of `study` that answers at the level of images name, by series.
+std::vector<Wanted> wantedIn(const std::vector<Attributes>& images, const std::string& study);
+/// Those that the cache lacks.
+Wanted missingOf(const Wanted& wanted, const Cache& cache);
+/// Makes room for what is wanted, and never by what is there of it.
+void makeRoom(const std::vector<Wanted>& all, const Cache& cache, const Limits& limits);
+
+}  // namespace fenestra::io::archive
