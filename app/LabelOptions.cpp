@@ -87,8 +87,7 @@ void addLabelSettings(Command command, io::LabelChanges& changes) {
   addLabelList(command, "--hidden", "labels, by value or name, that 3-D pictures leave out", changes.hidden);
   addLabelList(command, "--protected", "labels, by value or name, that are never cut away, though they hide the focus",
                changes.guarded);
-  command.add("--label-opacity", "LABEL=0..1,...",
-              "opacity of labels, in focus or not: the share of what 10 mm of them have otherwise; 0 hides",
+  command.add("--label-opacity", "LABEL=0..1,...", "opacity of the surface of labels, in focus or not; 0 hides",
               [&changes](const std::string& text) { return readPairs(text, changes.opacities, shareIn); });
   command.add("--label-colour", "LABEL=#rrggbb,...", "colours of labels, in place of the label map's",
               [&changes](const std::string& text) { return readPairs(text, changes.colours, colourIn); });

@@ -166,7 +166,7 @@ void members(auto& io, io::json::Is<LabelSetting> auto& setting) {
   io("visible", setting.visible, {},
      {"Whether slices tint it, and 3-D pictures draw it in focus and keep it from being cut away"});
   io("opacity", setting.opacity, fraction,
-     {"Of 10 mm of it, and of its tint on slices; outside the focus, 0 hides it"});
+     {"Of its surface, and of its tint on slices; outside the focus, 0 hides it"});
   io.optional("colour", setting.colour, setting.colour.has_value(), fraction, {"In place of the label map's"});
   io.optional("function", setting.function, setting.function.has_value(), {},
               {"Of it in focus: by value, in place of one colour and extinction"});

@@ -40,8 +40,20 @@ void fromVersion1(Value& root) {
 /// Version 2 had another rule for the Automatic reconstruction, which depends on the data: Session::formerAutomatic.
 void fromVersion2(Value&) {}
 
+/// In version 3 a label's opacity was that of 10 mm of it, as a share of what they had at 1. It becomes what a body of
+/// 30 mm showed of itself, as organs have it.
+void fromVersion3(Value& root) {
+  const auto settings = root.find("label_settings");
+  if (settings == root.end() || !settings->is_array()) return;
+  for (Value& setting : *settings) {
+    if (!setting.is_object() || !setting.contains("opacity") || !setting["opacity"].is_number()) continue;
+    const double clear = 1.0 - setting["opacity"].get<double>();
+    setting["opacity"] = 1.0 - clear * clear * clear;
+  }
+}
+
 /// migrations[i] brings version i + 1 to the next.
-constexpr void (*migrations[])(Value&) = {fromVersion1, fromVersion2};
+constexpr void (*migrations[])(Value&) = {fromVersion1, fromVersion2, fromVersion3};
 static_assert(std::size(migrations) == sessionVersion - 1);
 
 /// The folder that a session's paths start from, without links, so that ".." means the same as to the system.

@@ -14,7 +14,7 @@
 
 namespace fenestra::io {
 
-inline constexpr int sessionVersion = 3;
+inline constexpr int sessionVersion = 4;
 
 /// Does not open the data. Time and memory are bounded for any file. Throws Error.
 Session readSession(const std::filesystem::path& file);

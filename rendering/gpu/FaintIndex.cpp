@@ -42,10 +42,22 @@ std::optional<Box> boxOf(Values values, const Grid& grid, const std::vector<std:
   return box;
 }
 
-/// The texels from `origin` on.
+/// The number of a voxel where labels are drawn alone; `isKept` by label.
 template <class Values>
-std::vector<std::uint8_t> texelsOf(Values values, const Grid& grid, const std::vector<std::uint8_t>& numbers,
-                                   glm::ivec3 origin, glm::ivec3 size) {
+std::uint8_t numberBeside(Values values, const Grid& grid, const std::vector<std::uint8_t>& numbers,
+                          const std::vector<bool>& isKept, glm::ivec3 voxel) {
+  const auto labelAt = [&](glm::ivec3 at) { return static_cast<std::uint16_t>(values[grid.offset(at)]); };
+  if (const std::uint16_t own = labelAt(voxel); isKept[own]) return numbers[own];
+  for (int n = 0; n < 27; ++n) {
+    const glm::ivec3 beside = voxel + glm::ivec3(n % 3, n / 3 % 3, n / 9) - 1;
+    if (grid.contains(beside) && isKept[labelAt(beside)]) return numbers[labelAt(beside)];
+  }
+  return 0;
+}
+
+/// The texels from `origin` on; `numberAt` of a voxel.
+template <class NumberAt>
+std::vector<std::uint8_t> texelsOf(const NumberAt& numberAt, const Grid& grid, glm::ivec3 origin, glm::ivec3 size) {
   const auto width = static_cast<std::size_t>(size.x), height = static_cast<std::size_t>(size.y);
   std::vector<std::uint8_t> texels(width * height * static_cast<std::size_t>(size.z));
   parallelFor(static_cast<std::size_t>(size.z), 4, [&](std::size_t begin, std::size_t end) {
@@ -58,7 +70,7 @@ std::vector<std::uint8_t> texelsOf(Values values, const Grid& grid, const std::v
           const glm::ivec3 first = origin + glm::ivec3(0, y + k % 2, z + k / 2);
           for (int x = 0; x <= size.x; ++x) {
             const glm::ivec3 voxel = glm::clamp(first + glm::ivec3(x, 0, 0), glm::ivec3(0), grid.dims - 1);
-            rows[k][static_cast<std::size_t>(x)] = numbers[static_cast<std::uint16_t>(values[grid.offset(voxel)])];
+            rows[k][static_cast<std::size_t>(x)] = numberAt(voxel);
           }
         }
         for (std::size_t x = 0; x < width; ++x) {
@@ -74,24 +86,37 @@ std::vector<std::uint8_t> texelsOf(Values values, const Grid& grid, const std::v
 
 }  // namespace
 
-bool FaintIndex::update(const FaintLabels& faint, const std::shared_ptr<const LabelMap>& labels) {
-  const std::shared_ptr<const LabelMap> map = faint.any() ? labels : nullptr;
-  if (faint.numbers == numbers_ && map == map_) return false;
+bool FaintIndex::update(const FaintLabels& faint, const std::shared_ptr<const LabelMap>& labels,
+                        const std::vector<std::uint16_t>& kept) {
+  FaintLabels listed = faint;
+  if (!kept.empty())
+    std::erase_if(listed.numbers,
+                  [&](const auto& each) { return !std::binary_search(kept.begin(), kept.end(), each.first); });
+  const std::shared_ptr<const LabelMap> map = listed.any() ? labels : nullptr;
+  if (listed.numbers == numbers_ && map == map_ && kept == kept_) return false;
   const bool had = any();
   texture_ = {};
-  numbers_ = faint.numbers;
+  numbers_ = listed.numbers;
+  kept_ = kept;
   map_ = map;
   if (!map) return had;
-  const std::vector<std::uint8_t> numbers = faint.numberOfLabel();
+  const std::vector<std::uint8_t> numbers = listed.numberOfLabel();
+  std::vector<bool> isKept(numbers.size(), false);
+  for (const std::uint16_t label : kept) isKept[label] = true;
   map->voxels.visit([&](auto values) {
     if constexpr (std::is_unsigned_v<typename decltype(values)::value_type>) {
       const std::optional<Box> box = boxOf(values, map->grid, numbers);
       if (!box) return;
       // One voxel more below: the cells there reach into the labels.
-      origin_ = box->low - 1;
-      const glm::ivec3 size = box->high - origin_ + 1;
+      const Grid& grid = map->grid;
+      origin_ = kept.empty() ? box->low - 1 : box->low - 2;
+      const glm::ivec3 size = (kept.empty() ? box->high : box->high + 1) - origin_ + 1;
       texture_ = gl::Texture::make3D(gl::Format::R8UI, size);
-      texture_.upload(std::span<const std::uint8_t>(texelsOf(values, map->grid, numbers, origin_, size)));
+      const auto numberAt = [&](glm::ivec3 voxel) {
+        return kept.empty() ? numbers[static_cast<std::uint16_t>(values[grid.offset(voxel)])]
+                            : numberBeside(values, grid, numbers, isKept, voxel);
+      };
+      texture_.upload(std::span<const std::uint8_t>(texelsOf(numberAt, grid, origin_, size)));
     }
   });
   return had || any();

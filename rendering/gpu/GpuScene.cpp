@@ -26,8 +26,9 @@ glm::vec2 tableMap(ValueRange span, const VolumeTexture& coding) {
 
 /// What labels of the focus are shown as.
 struct PaletteEntry {
-  glm::vec4 colour{0.0f};  ///< and share of the extinction
-  glm::vec4 table{0.0f};   ///< see GpuScene::focusTable
+  glm::vec4 colour{0.0f};   ///< and opacity
+  glm::vec4 table{0.0f};    ///< see GpuScene::focusTable
+  std::uint16_t label = 0;  ///< of a translucent one: its bodies are its own
   bool operator==(const PaletteEntry&) const = default;
 };
 
@@ -148,6 +149,8 @@ void GpuScene::release() {
   occluders_.release();
   focalDistances_.release();
   faint_.release();
+  faintLabels_ = {};
+  faintOpacities_ = {};
   paletteMap_ = {};
 }
 
@@ -156,7 +159,7 @@ void GpuScene::updateAll(const Scene& scene, Use use) {
   const bool volumeChanged = shown != shown_;
   if (volumeChanged) updateVolume(std::move(shown));
 
-  const bool contextChanged = updateContexts(scene);
+  const bool contextChanged = updateContext(scene);
 
   // A label map matters only while its labels are in focus.
   const bool usesLabels = std::holds_alternative<LabelFocus>(scene.look.focus);
@@ -258,17 +261,17 @@ GpuFocus::Change GpuScene::updateFocus(const Scene& scene) {
 void GpuScene::updateFocusColours(const Scene& scene) {
   ++versions_.palette;
   focusPalette_ = {};
-  focusMaterial_ = glm::dvec4(scene.look.focusAppearance.colour, 1.0);
+  focusColour_ = glm::vec3(scene.look.focusAppearance.colour);
+  focusIsTranslucent_ = false;
   // The voxels' entries depend on the labels and on which of them share a material, not on the materials.
   gl::Texture index = std::exchange(focusPaletteIndex_, {});
-  focusTable_ = glm::vec4(0.0f);
+  focusTable_ = glm::vec4(0.0f, 0.0f, 0.0f, 1.0f);
   std::vector<TransferFunction> functions;
   const auto tableOf = [&](const TransferFunction& function) {
     auto at = std::find(functions.begin(), functions.end(), function);
     if (at == functions.end()) at = functions.insert(at, function);
     const glm::vec2 map = tableMap(tableSpan(function, shown_.volume->range, tableSize), volumeTexture_);
-    const auto number = static_cast<std::ptrdiff_t>(contexts_.size()) + (at - functions.begin());
-    return glm::vec4(rowsPerFunction * number, map, 0.0f);
+    return glm::vec4(rowsPerFunction * (1 + (at - functions.begin())), map, 1.0f);
   };
   if (std::holds_alternative<ValueFocus>(scene.look.focus))
     if (const auto& function = focusFunction(scene)) focusTable_ = tableOf(*function);
@@ -277,16 +280,17 @@ void GpuScene::updateFocusColours(const Scene& scene) {
   std::vector<PaletteEntry> palette;
   std::vector<std::uint8_t> entryOf(1 << 16, 0);
   const auto* focus = std::get_if<LabelFocus>(&scene.look.focus);
-  const double extinction = scene.look.focusAppearance.extinction;
   if (focus && scene.labels)
     for (const std::uint16_t value : focus->labels) {
+      const DrawnInFocus drawn = drawnInFocus(scene, value);
       PaletteEntry entry;
-      if (const auto function = focusFunction(scene, value)) {
-        entry.table = tableOf(*function);
-      } else {
-        const OpticalProperties material = fenestra::focusMaterial(scene, value);
-        entry.colour = glm::vec4(glm::vec3(material.colour), extinction > 0.0 ? material.extinction / extinction : 1.0);
-      }
+      if (drawn.function)
+        entry.table = tableOf(*drawn.function);
+      else
+        entry.colour = glm::vec4(glm::vec3(drawn.material.colour), 0.0f);
+      entry.colour.a = entry.table.w = static_cast<float>(drawn.opacity);
+      if (drawn.opacity < 1.0) entry.label = value;
+      focusIsTranslucent_ |= drawn.opacity < 1.0;
       auto at = std::find(palette.begin(), palette.end(), entry);
       // Entry 0 is "no label"; beyond 254 colours the last one serves for the rest.
       if (at == palette.end() && palette.size() < 254) at = palette.insert(palette.end(), entry);
@@ -294,7 +298,7 @@ void GpuScene::updateFocusColours(const Scene& scene) {
     }
   updateFocusTables(std::move(functions));
   if (palette.empty()) return;
-  focusMaterial_ = glm::dvec4(palette.front().colour);
+  focusColour_ = glm::vec3(palette.front().colour);
   focusTable_ = palette.front().table;
   if (palette.size() < 2 || !focus_.index().box) return;
   palette.insert(palette.begin(), palette.front());
@@ -326,8 +330,7 @@ void GpuScene::updateFocusTables(std::vector<TransferFunction> functions) {
 
 void GpuScene::uploadFocusTable(std::size_t i) {
   const TransferFunction& function = focusFunctions_[i];
-  uploadTables(TransferTables(function, tableSpan(function, shown_.volume->range, tableSize), tableSize),
-               contexts_.size() + i);
+  uploadTables(TransferTables(function, tableSpan(function, shown_.volume->range, tableSize), tableSize), 1 + i);
 }
 
 void GpuScene::uploadTables(const TransferTables& tables, std::size_t function) {
@@ -340,8 +343,7 @@ void GpuScene::updateSegments() {
   const auto segmentsOf = [&](const TransferFunction& function) {
     return TransferSegments(function, tableSpan(function, shown_.volume->range, tableSize), tableSize);
   };
-  TransferSegments all = segmentsOf(contexts_.front());
-  for (std::size_t i = 1; i < contexts_.size(); ++i) all.append(segmentsOf(contexts_[i]));
+  TransferSegments all = segmentsOf(context_);
   for (const TransferFunction& function : focusFunctions_) all.append(segmentsOf(function));
   transferSegments_ = all.texture(segmentsPerRow);
   segmentOfEntry_ = gl::Buffer(std::as_bytes(std::span(all.ofEntry)));
@@ -378,19 +380,33 @@ void GpuScene::makePaletteIndex(const LabelMap& labels, const std::vector<std::u
   focusPaletteIndex_.upload(std::span<const std::uint8_t>(entries));
 }
 
-bool GpuScene::updateContexts(const Scene& scene) {
+bool GpuScene::updateContext(const Scene& scene) {
   FaintLabels faint = faintLabels(scene);
   const bool indexChanged = faint_.update(faint, structuresOf(scene));
   if (!faint_.any()) faint = {};
-  const std::vector<TransferFunction> before = std::exchange(contexts_, contextFunctions(scene, faint));
-  if (contexts_.size() != before.size()) transferTables_ = {};  // the functions behind them move
+  const FaintLabels before = std::exchange(faintLabels_, std::move(faint));
+  const TransferFunction function = std::exchange(context_, scene.look.context.shifted());
   if (indexChanged) gaps_.clear();
-  return indexChanged || contexts_ != before;
+  if (faintLabels_ != before) updateFaintOpacities();
+  return indexChanged || faintLabels_ != before || context_ != function;
+}
+
+void GpuScene::updateFaintOpacities() {
+  faintOpacities_ = {};
+  if (!faintLabels_.any()) return;
+  std::vector<float> texels;
+  for (std::size_t number = 0; number <= faintLabels_.opacities.size(); ++number)
+    texels.push_back(static_cast<float>(faintLabels_.opacityOf(number)));
+  faintOpacities_ = gl::Texture::make2D(gl::Format::R32F, {static_cast<int>(texels.size()), 1});
+  faintOpacities_.upload(std::span<const float>(texels));
 }
 
 void GpuScene::updateGaps() {
   // Hit points depend on these alone, so a change of colour leaves them valid.
-  std::vector<glm::vec2> gaps = codedGaps(contexts_, contextThreshold, volumeTexture_);
+  std::vector<double> thresholds;
+  for (std::size_t number = 0; number <= faintLabels_.opacities.size(); ++number)
+    thresholds.push_back(std::min(contextThreshold / faintLabels_.opacityOf(number), 1.0));
+  std::vector<glm::vec2> gaps = codedGaps(context_, thresholds, volumeTexture_);
   if (gaps == gaps_ && gapBuffer_) return;
   gaps_ = std::move(gaps);
   gapBuffer_ = gl::Buffer(std::as_bytes(std::span(gaps_)));
@@ -401,15 +417,14 @@ bool GpuScene::updateTransfer() {
   ++versions_.transfer;
   preIntegration_ = {};
   updateGaps();
-  const ValueRange span = tableSpan(contexts_.front(), shown_.volume->range, tableSize);
-  const TransferTables tables(contexts_.front(), span, tableSize);
-  const int rows = rowsPerFunction * static_cast<int>(contexts_.size() + focusFunctions_.size());
+  const ValueRange span = tableSpan(context_, shown_.volume->range, tableSize);
+  const TransferTables tables(context_, span, tableSize);
+  const int rows = rowsPerFunction * static_cast<int>(1 + focusFunctions_.size());
   if (!transferTables_ || transferTables_.size().y != rows) {
     transferTables_ = gl::Texture::make2D(gl::Format::RGBA32F, {tableSize, rows});
     for (std::size_t i = 0; i < focusFunctions_.size(); ++i) uploadFocusTable(i);
   }
   uploadTables(tables, 0);
-  for (std::size_t i = 1; i < contexts_.size(); ++i) uploadTables(TransferTables(contexts_[i], span, tableSize), i);
   updateSegments();
   firstMaterial_ = tables.properties.front();
   lastMaterial_ = tables.properties.back();
@@ -425,8 +440,7 @@ const gl::Texture& GpuScene::preIntegration() const {
   double longest = 0.0;
   for (const glm::dvec3 diagonal : {glm::dvec3(1, 1, 1), {1, 1, -1}, {1, -1, 1}, {-1, 1, 1}})
     longest = std::max(longest, glm::length(cell * diagonal));
-  const PreIntegration made(contexts_.front(), tableSpan(contexts_.front(), shown_.volume->range, tableSize), tableSize,
-                            longest);
+  const PreIntegration made(context_, tableSpan(context_, shown_.volume->range, tableSize), tableSize, longest);
   preIntegration_ = made.texture();
   preIntegrationLevel_ = made.firstLevel;
   return preIntegration_;
@@ -435,7 +449,7 @@ const gl::Texture& GpuScene::preIntegration() const {
 bool GpuScene::updateOccupancy() {
   // Exactly: a brick whose values reach no further than the node where opacity begins stays empty, although the tables,
   // which are read to the nearest entry, may show a little there.
-  const std::vector<ValueRange> empty = contexts_.front().emptyRanges();
+  const std::vector<ValueRange> empty = context_.emptyRanges();
   const auto isEmpty = [&](const ValueRange& values) {
     return std::any_of(empty.begin(), empty.end(),
                        [&](const ValueRange& range) { return values.low >= range.low && values.high <= range.high; });
@@ -472,7 +486,8 @@ std::vector<GpuScene::Resource> GpuScene::resources() const {
   add("pre-integration", of(preIntegration_));
   add("transfer tables", of(transferTables_) + of(transferSegments_) + segmentOfEntry_.bytes());
   add("empty-space skipping", of(contextSkip_) + of(occupiedSkip_) + of(focusSkip_));
-  add("faint labels", of(faint_.texture()));
+  add("faint labels",
+      of(faint_.texture()) + of(faintOpacities_) + of(protected_.faint.texture()) + of(exempt_.faint.texture()));
   add("focus index", of(focus_.bricks()) + focus_.cells().bytes());
   add("focus palette", of(focusPaletteIndex_) + of(focusPalette_));
   add("focus normals", of(focus_.smooth()));

@@ -35,6 +35,7 @@ struct KeptLabels {
   gl::Buffer cells;
   std::optional<IndexBox> box{};  ///< of their voxels
   bool smoothed = false;          ///< `cells` hold a smoothed indicator
+  FaintIndex faint;               ///< where they are translucent
   // What it was made of.
   std::vector<std::uint16_t> labels;
   std::shared_ptr<const LabelMap> map;
@@ -118,12 +119,12 @@ class GpuScene {
   glm::ivec3 gradientOrigin() const { return gradient_.origin; }  ///< index of its first texel
   const DerivativeVolume& derivative() const { return derivative_; }
 
-  /// Transparent gaps of the context in coded values, clipped to float's range: gapCount() vec2 for each of its
-  /// functions, of which some may hold no value.
+  /// Transparent gaps of the context in coded values, clipped to float's range: gapCount() vec2 for what no translucent
+  /// label covers and for each of those labels, by number, of which some may hold no value.
   const gl::Buffer& gaps() const { return gapBuffer_; }
-  int gapCount() const { return static_cast<int>(gaps_.size() / contexts_.size()); }
-  /// TransferTables of the context, and below them those of its faint labels by number and of the focus's functions,
-  /// two rows each. An entry of the context's = coded value · map.x + map.y.
+  int gapCount() const { return static_cast<int>(gaps_.size() / (1 + faintLabels_.opacities.size())); }
+  /// TransferTables of the context, and below them those of the focus's functions, two rows each. An entry of the
+  /// context's = coded value · map.x + map.y.
   static constexpr int tableSize = 16384, rowsPerFunction = 2;
   const gl::Texture& transferTables() const { return transferTables_; }
   /// The functions of transferTables() from node to node, one behind the other; see shaders/lib/TransferSegments.glsl.
@@ -142,8 +143,9 @@ class GpuScene {
   const gl::Texture& contextSkip() const { return contextSkip_; }
   const gl::Texture& occupiedSkip() const { return focusSkip_ ? occupiedSkip_ : contextSkip_; }
 
-  /// Where the context has other functions than the volume's.
+  /// Where labels of the context are translucent, and the opacities of their numbers, R32F.
   const FaintIndex& faint() const { return faint_; }
+  const gl::Texture& faintOpacities() const { return faintOpacities_; }
 
   FocusIndex::Kind focusKind() const { return focus_.index().kind; }
   const FocusIndex& focus() const { return focus_.index(); }
@@ -154,13 +156,16 @@ class GpuScene {
   const gl::Buffer& focusCells() const { return focus_.cells(); }
   /// Whether some of the focus is shown by value, see focusFunction().
   bool focusByValue() const { return !focusFunctions_.empty(); }
+  /// Whether some of the focus is of an opacity below 1.
+  bool focusIsTranslucent() const { return focusIsTranslucent_; }
   /// Per-voxel palette entries around a label focus of several looks; empty when one does for all. The palette's rows:
-  /// colours and shares of the extinction; with functions, what focusTable() is.
+  /// colours and opacities; with functions, what focusTable() is.
   const gl::Texture& focusPaletteIndex() const { return focusPaletteIndex_; }
   const gl::Texture& focusPalette() const { return focusPalette_; }
-  glm::ivec3 focusOrigin() const { return focusOrigin_; }      ///< index of focusPaletteIndex's first texel
-  glm::dvec4 focusMaterial() const { return focusMaterial_; }  ///< where one does: colour, share of the extinction
-  /// Where one does: the first row of its function in transferTables() and the map to its entries; 0 for a material.
+  glm::ivec3 focusOrigin() const { return focusOrigin_; }  ///< index of focusPaletteIndex's first texel
+  glm::vec3 focusColour() const { return focusColour_; }   ///< where one does
+  /// Where one does: the first row of its function in transferTables() and the map to its entries, or 0 for a material;
+  /// and its opacity.
   glm::vec4 focusTable() const { return focusTable_; }
   /// Only while there is an opening, and something that is protected from it.
   const KeptLabels& protectedLabels() const { return protected_; }
@@ -193,8 +198,8 @@ class GpuScene {
   void updateVolume(ShownVolume shown);
   /// Which bricks' occupation has changed.
   GpuFocus::Change updateFocus(const Scene& scene);
-  /// The context's functions; returns whether they have changed.
-  bool updateContexts(const Scene& scene);
+  /// The context's function and its translucent labels; returns whether they have changed.
+  bool updateContext(const Scene& scene);
   void updateFocusColours(const Scene& scene);
   void updateFocusTables(std::vector<TransferFunction> functions);
   void uploadFocusTable(std::size_t i);
@@ -210,6 +215,7 @@ class GpuScene {
   /// Returns whether other bricks than before hold something of the context.
   bool updateTransfer();
   void updateGaps();
+  void updateFaintOpacities();
   bool updateOccupancy();
   void updateGradient(const GpuFocus::Change& focus, bool occupancyChanged);
   /// The voxels of the bricks whose values vary by more than noise; `shown`: of those in which something shows.
@@ -229,7 +235,8 @@ class GpuScene {
   std::shared_ptr<const LabelMap> labels_, labelSource_;  ///< as drawn, and as given
   Focus focusWanted_;
   LabelSmoothing labelSmoothing_ = LabelSmoothing::Off;  ///< of that focus
-  std::vector<TransferFunction> contexts_;               ///< contextFunctions(), those of labels with voxels
+  TransferFunction context_;                             ///< shifted
+  FaintLabels faintLabels_;                              ///< none where none has a voxel
   FocusAppearance appearance_;
   LabelSettings focusSettings_;  ///< of the labels in focus
   Versions versions_;
@@ -258,14 +265,16 @@ class GpuScene {
   gl::Texture contextSkip_, occupiedSkip_;
 
   FaintIndex faint_;
+  gl::Texture faintOpacities_;
   GpuFocus focus_;
   gl::Texture focusSkip_;
   gl::Texture focusPaletteIndex_, focusPalette_;
   std::vector<std::uint8_t> paletteEntries_;    ///< by label: what focusPaletteIndex_ was made of
   std::shared_ptr<const LabelMap> paletteMap_;  ///< and the map of those labels
   glm::ivec3 focusOrigin_{0};
-  glm::dvec4 focusMaterial_{1.0};
-  glm::vec4 focusTable_{0.0f};
+  glm::vec3 focusColour_{1.0f};
+  glm::vec4 focusTable_{0.0f, 0.0f, 0.0f, 1.0f};
+  bool focusIsTranslucent_ = false;
   std::vector<TransferFunction> focusFunctions_;  ///< each once, in the order of their tables
 
   KeptLabels protected_, exempt_;

@@ -17,6 +17,8 @@ void GpuScene::updateKeptLabels(const Scene& scene, bool volumeChanged) {
   if (!clipping.exempt.empty() && !halfSpaces(clipping, grid()).empty()) exempt = clipping.exempt;
   updateKept(protected_, std::move(guarded), LabelSmoothing::Off, scene, versions_.protectedLabels);
   updateKept(exempt_, std::move(exempt), LabelSmoothing::Off, scene, versions_.exemptLabels);
+  for (KeptLabels* kept : {&protected_, &exempt_})
+    kept->faint.update(kept->any() ? faintLabels_ : FaintLabels(), kept->map, kept->labels);
 
   std::vector<std::vector<std::uint16_t>> levels = importanceLevels(scene);
   if (levels.size() != importance_.size()) {

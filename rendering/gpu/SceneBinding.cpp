@@ -43,14 +43,12 @@ void bindFocus(const GpuScene& scene, gl::ShaderProgram& program, FocusUniforms 
 
 void bindFocusLook(const GpuScene& scene, gl::ShaderProgram& program, const Look& look, bool bounded) {
   program.bind("occupiedSkip", scene.occupiedSkip());
-  FocusUniforms focus{.material = glm::vec4(glm::vec3(scene.focusMaterial()),
-                                            look.focusAppearance.extinction * scene.focusMaterial().a),
+  FocusUniforms focus{.material = glm::vec4(scene.focusColour(), look.focusAppearance.extinction),
                       .paletteOrigin = scene.focusOrigin(),
                       .table = scene.focusTable()};
   if (scene.focusPaletteIndex()) {
     program.bind("focusPaletteIndex", scene.focusPaletteIndex());
     program.bind("focusPalette", scene.focusPalette());
-    focus.material.a = static_cast<float>(look.focusAppearance.extinction);
   }
   if (look.shading.enabled && scene.focusSmooth()) {
     program.bind(bounded ? "focusSmoothTexels" : "focusSmooth", scene.focusSmooth());
@@ -99,13 +97,16 @@ void bindContextValues(const GpuScene& scene, gl::ShaderProgram& program) {
   setTransfer(scene, program);
 }
 
-void bindFaint(const GpuScene& scene, gl::ShaderProgram& program) {
-  const FaintIndex& faint = scene.faint();
+void bindFaint(const GpuScene& scene, const FaintIndex& faint, gl::ShaderProgram& program) {
   if (!faint.any()) return;
   program.bind("faintIndex", faint.texture());
   program.set("faintOrigin", faint.origin());
   program.set("faintSize", faint.texture().size());
   program.set("lastVoxel", scene.grid().dims - 1);
+}
+
+void bindFaintOpacities(const GpuScene& scene, const FaintIndex& faint, gl::ShaderProgram& program) {
+  if (faint.any()) program.bind("faintOpacities", scene.faintOpacities());
 }
 
 void bindTransfer(const GpuScene& scene, gl::ShaderProgram& program) {

@@ -26,15 +26,17 @@ void bindLabels(const KeptLabels& labels, gl::ShaderProgram& program);
 void bindLabelHits(const GpuScene& scene, const KeptLabels& labels, gl::ShaderProgram& program);
 
 /// What rays that look for first hits skip and leave (lib/FirstHit.glsl), with volume and focus. Without bindFaint()
-/// the context is the volume's function everywhere.
+/// no label is translucent.
 void bindFirstHit(const GpuScene& scene, gl::ShaderProgram& program);
 
-/// What rays that look for the context skip and leave (lib/Search.glsl), with the volume's texels and the functions'
+/// What rays that look for the context skip and leave (lib/Search.glsl), with the volume's texels and the function's
 /// segments (lib/TransferSegments.glsl). For programs of sampledVariant(scene).
 void bindContextValues(const GpuScene& scene, gl::ShaderProgram& program);
 
-/// For programs of functionsChoice(scene).
-void bindFaint(const GpuScene& scene, gl::ShaderProgram& program);
+/// For programs of translucentChoice(faint).
+void bindFaint(const GpuScene& scene, const FaintIndex& faint, gl::ShaderProgram& program);
+/// For those of them that show the labels.
+void bindFaintOpacities(const GpuScene& scene, const FaintIndex& faint, gl::ShaderProgram& program);
 
 /// lib/Transfer.glsl and lib/TransferTables.glsl.
 void bindTransfer(const GpuScene& scene, gl::ShaderProgram& program);

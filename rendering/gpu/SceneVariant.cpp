@@ -117,11 +117,11 @@ gl::Choice derivativeChoice(const GpuScene& scene) {
   return {"derivative", isShort ? "lib/derivative/Uint16.glsl" : "lib/derivative/Float32.glsl"};
 }
 
-gl::Choice functionsChoice(const GpuScene& scene) {
-  return scene.faint().any() ? gl::Choice{"functions", "lib/functions/ByLabel.glsl"} : oneFunctionChoice();
+gl::Choice translucentChoice(const FaintIndex& faint) {
+  return faint.any() ? gl::Choice{"translucent", "lib/translucent/Labels.glsl"} : opaqueChoice();
 }
 
-gl::Choice oneFunctionChoice() { return {"functions", "lib/functions/One.glsl"}; }
+gl::Choice opaqueChoice() { return {"translucent", "lib/translucent/None.glsl"}; }
 
 gl::Choice focusChoice(const GpuScene& scene) {
   switch (scene.focusKind()) {
@@ -144,8 +144,11 @@ gl::Choice noFocusChoice() { return {"focus", "lib/focus/None.glsl"}; }
 
 gl::Variant integralVariant(const GpuScene& scene, const IntegralKind& kind) {
   const gl::Choice importance{"importance", kind.hasLevels ? "lib/importance/Levels.glsl" : "lib/importance/One.glsl"};
-  return gl::Variant{{tableDefine()}, {functionsChoice(scene), importance}} + focusVariant(scene, kind) +
-         lightVariant(scene, kind) + (kind.bounded ? boundedVariant(scene, kind) : faceToFaceVariant(scene, kind));
+  const FaintIndex& faint = kind.faint ? *kind.faint : scene.faint();
+  const bool bodies = faint.any() || (kind.held == IntegralKind::Held::OfScene && scene.focusIsTranslucent());
+  return gl::Variant{{tableDefine(), {"BODIES", bodies}}, {translucentChoice(faint), importance}} +
+         focusVariant(scene, kind) + lightVariant(scene, kind) +
+         (kind.bounded ? boundedVariant(scene, kind) : faceToFaceVariant(scene, kind));
 }
 
 gl::Define tableDefine() { return {"TABLE_SIZE", GpuScene::tableSize}; }

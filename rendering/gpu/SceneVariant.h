@@ -21,9 +21,9 @@ gl::Variant searchVariant(const GpuScene& scene);
 /// <derivative>.
 gl::Choice derivativeChoice(const GpuScene& scene);
 
-/// <functions>: the context's functions, or the volume's alone.
-gl::Choice functionsChoice(const GpuScene& scene);
-gl::Choice oneFunctionChoice();
+/// <translucent>: labels of the context, or none of them.
+gl::Choice translucentChoice(const FaintIndex& faint);
+gl::Choice opaqueChoice();
 
 /// <focus>: the scene's focus, some labels in its place, or none.
 gl::Choice focusChoice(const GpuScene& scene);
@@ -40,7 +40,8 @@ struct IntegralKind {
   bool bounded = false;                    ///< within a bound on the error; else from face to face of the cells
   const gl::Texture* occlusion = nullptr;  ///< what OcclusionPass has written; null: no ambient occlusion, no shadows
   Held held = Held::OfScene;
-  bool hasLevels = false;  ///< labels of other levels of importance than the focus's are opened to
+  const FaintIndex* faint = nullptr;  ///< of kept labels; null: the scene's
+  bool hasLevels = false;             ///< labels of other levels of importance than the focus's are opened to
 
   // Within a bound alone.
   Shown shown = Shown::All;

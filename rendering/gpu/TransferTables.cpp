@@ -98,12 +98,12 @@ gl::Texture TransferSegments::texture(int perRow) const {
   return result;
 }
 
-std::vector<glm::vec2> codedGaps(const std::vector<TransferFunction>& functions, double opacity,
+std::vector<glm::vec2> codedGaps(const TransferFunction& function, const std::vector<double>& thresholds,
                                  const VolumeTexture& coding) {
   constexpr double far = 1e30;
   std::vector<std::vector<glm::vec2>> each;
   std::size_t most = 0;
-  for (const TransferFunction& function : functions) {
+  for (const double opacity : thresholds) {
     std::vector<glm::vec2>& gaps = each.emplace_back();
     for (const ValueGap& gap : function.transparentGaps(opacity)) {
       const ValueRange coded = coding.codedFromReal({gap.low, gap.high});

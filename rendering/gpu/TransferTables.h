@@ -40,9 +40,9 @@ struct TransferSegments {
   gl::Texture texture(int perRow) const;
 };
 
-/// The gaps of values in which 1 mm has an opacity up to `opacity`, in coded values clipped to float's range: of each
-/// function as many, of which some may hold no value.
-std::vector<glm::vec2> codedGaps(const std::vector<TransferFunction>& functions, double opacity,
+/// The gaps of values in which 1 mm has an opacity up to each of some thresholds, in coded values clipped to float's
+/// range: of each threshold as many, of which some may hold no value.
+std::vector<glm::vec2> codedGaps(const TransferFunction& function, const std::vector<double>& thresholds,
                                  const VolumeTexture& coding);
 
 /// The values that a function's tables span: its nodes, and an entry more at either end, which stands for all that lies

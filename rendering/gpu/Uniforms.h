@@ -52,7 +52,7 @@ struct alignas(16) FocusUniforms {
   alignas(16) glm::vec2 range{0.0f};
   alignas(16) glm::ivec3 paletteOrigin{0};
   alignas(16) glm::vec3 smoothOrigin{0.0f};
-  alignas(16) glm::vec4 table{0.0f};
+  alignas(16) glm::vec4 table{0.0f, 0.0f, 0.0f, 1.0f};
   alignas(16) Std140Mat3 worldFromIndexGradient{1.0f};
 };
 
@@ -91,7 +91,7 @@ struct alignas(16) OcclusionUniforms {
 /// shaders/lib/integral/Settings.glsl.
 struct alignas(16) IntegralUniforms {
   static constexpr const char* name = "integral";
-  float leastTransmittance, maxError, cutFaceDepth, cutFaceShare;
+  float leastTransmittance, maxError, cutFaceDepth, cutFaceShare, perGap;
 };
 
 /// shaders/RemovedParts.comp.

@@ -10,8 +10,12 @@ void ExemptPass::run(Steps& steps, const GpuScene& gpu, const Look& look, const 
   FocusLayerPass::Sampling bounded = sampling;
   bounded.maxError = 0.25 * sampling.maxError.value_or(FocusLayerPass::usualBound);
   steps.add(regions, [this, &gpu, &look, &rays, &picture, bounded, &exempted, occlusion](Regions tile) {
-    const IntegralKind kind{
-        .lit = look.shading.enabled, .bounded = true, .occlusion = occlusion, .held = IntegralKind::Held::KeptLabels};
+    const FaintIndex& faint = gpu.exemptLabels().faint;
+    const IntegralKind kind{.lit = look.shading.enabled,
+                            .bounded = true,
+                            .occlusion = occlusion,
+                            .held = IntegralKind::Held::KeptLabels,
+                            .faint = &faint};
     // How capped faces look does not matter to what clipping leaves out.
     gl::ShaderProgram& program = programs_.get(gl::Variant{{{"RAYS", 1}},
                                                            {scheduleChoice(gpu.schedule()),
@@ -21,7 +25,8 @@ void ExemptPass::run(Steps& steps, const GpuScene& gpu, const Look& look, const 
                                                integralVariant(gpu, kind));
     rays.setUniforms(program);
     bindIntegral(gpu, program, true);
-    bindFaint(gpu, program);
+    bindFaint(gpu, faint, program);
+    bindFaintOpacities(gpu, faint, program);
     bindLabels(gpu.exemptLabels(), program);
     program.set(FocusLayerPass::integralUniforms(gpu, bounded, look.shading.enabled));
     program.bind("picture", picture);

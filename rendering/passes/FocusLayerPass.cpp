@@ -94,7 +94,8 @@ IntegralUniforms FocusLayerPass::integralUniforms(const GpuScene& gpu, const Sam
   return {static_cast<float>(leastTransmittance(sampling, lit)),
           static_cast<float>(shareOfBound * sampling.maxError.value_or(0.0)),
           static_cast<float>(lighting::wallDepthVoxels * std::min({spacing.x, spacing.y, spacing.z})),
-          static_cast<float>(lighting::wallShare)};
+          static_cast<float>(lighting::wallShare),
+          static_cast<float>(1.0 / std::min({spacing.x, spacing.y, spacing.z}))};
 }
 
 IntegralKind FocusLayerPass::kindOf(const Drawn& drawn) {
@@ -141,7 +142,8 @@ gl::ShaderProgram& FocusLayerPass::prepared(bool listed, const Drawn& drawn) {
   gl::ShaderProgram& program = this->program(listed, drawn);
   rays.setUniforms(program);
   bindIntegral(gpu, program, sampling.maxError.has_value());
-  bindFaint(gpu, program);
+  bindFaint(gpu, gpu.faint(), program);
+  bindFaintOpacities(gpu, gpu.faint(), program);
   program.set(integralUniforms(gpu, sampling, look.shading.enabled));
   if (opening) {
     if (opening->hole) program.bind("hole", *opening->hole);

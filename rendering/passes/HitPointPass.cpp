@@ -18,12 +18,12 @@ void HitPointPass::run(Steps& steps, const GpuScene& scene, const RayFrame& rays
 void HitPointPass::add(Steps& steps, const GpuScene& scene, const RayFrame& rays, const gl::Region& region,
                        gl::Texture& hitPoints, glm::ivec2 offset) {
   steps.add(Regions(&region, 1), [this, &scene, &rays, &hitPoints, offset](Regions tile) {
-    gl::ShaderProgram& program =
-        programs_.get(gl::Variant{{}, {scheduleChoice(scene.schedule()), focusChoice(scene), functionsChoice(scene)}} +
-                      searchVariant(scene) + rays.variant());
+    gl::ShaderProgram& program = programs_.get(
+        gl::Variant{{}, {scheduleChoice(scene.schedule()), focusChoice(scene), translucentChoice(scene.faint())}} +
+        searchVariant(scene) + rays.variant());
     rays.setUniforms(program);
     bindFirstHit(scene, program);
-    bindFaint(scene, program);
+    bindFaint(scene, scene.faint(), program);
     program.set("pixelOffset", offset);
     program.bind("hitPoints", hitPoints, gl::Access::Write);
     program.dispatch(tile);

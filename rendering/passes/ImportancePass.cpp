@@ -9,11 +9,11 @@ void ImportancePass::run(Steps& steps, const GpuScene& gpu, const KeptLabels& le
   steps.add(rays.size(), [this, &gpu, &level, &rays, &hitPoints, &hits, isHigher](Regions tile) {
     const gl::Choice lower{"lower", isHigher ? "lib/lower/Level.glsl" : "lib/lower/None.glsl"};
     gl::ShaderProgram& program = programs_.get(
-        gl::Variant{{}, {scheduleChoice(gpu.schedule()), focusChoice(level), functionsChoice(gpu), lower}} +
+        gl::Variant{{}, {scheduleChoice(gpu.schedule()), focusChoice(level), translucentChoice(gpu.faint()), lower}} +
         searchVariant(gpu) + rays.variant());
     rays.setUniforms(program);
     bindLabelHits(gpu, level, program);
-    bindFaint(gpu, program);
+    bindFaint(gpu, gpu.faint(), program);
     program.bind("hitPoints", hitPoints);
     program.bind("importantHits", hits, isHigher ? gl::Access::ReadWrite : gl::Access::Write);
     program.dispatch(tile);

@@ -10,7 +10,7 @@ void MaximumPass::run(Steps& steps, const GpuScene& gpu, const MethodStages::Max
   steps.add(regions, [this, &gpu, maximum, &rays, opening, &focusLayer, leastTransmittance, &picture](Regions tile) {
     gl::Variant variant = gl::Variant{{{"SEGMENTS_PER_ROW", GpuScene::segmentsPerRow}, tableDefine()},
                                       {scheduleChoice(gpu.schedule()),
-                                       functionsChoice(gpu),
+                                       translucentChoice(gpu.faint()),
                                        focusChoice(gpu),
                                        {"begins", opening ? "lib/begins/Opening.glsl" : "lib/begins/Entry.glsl"}}} +
                           sampledVariant(gpu) + rays.variant();
@@ -19,7 +19,8 @@ void MaximumPass::run(Steps& steps, const GpuScene& gpu, const MethodStages::Max
     rays.setUniforms(program);
     bindContextValues(gpu, program);
     bindFocus(gpu, program);
-    bindFaint(gpu, program);
+    bindFaint(gpu, gpu.faint(), program);
+    bindFaintOpacities(gpu, gpu.faint(), program);
     if (opening) {
       program.bind("rayStart", opening->rayStart);
       program.bind("hitPoints", opening->hitPoints);

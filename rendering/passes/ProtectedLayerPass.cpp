@@ -26,10 +26,12 @@ void ProtectedLayerPass::run(Steps& steps, const GpuScene& gpu, const Look& look
   FocusLayerPass::Sampling bounded = sampling;
   bounded.maxError = 0.5 * sampling.maxError.value_or(std::max(FocusLayerPass::usualBound, 4.0 * sampling.tolerance));
   steps.add(regions, [this, &gpu, &look, &rays, opening, bounded, &protectedLayer, occlusion, shown](Regions tile) {
+    const FaintIndex& faint = shown == Shown::ProtectedLabels ? gpu.protectedLabels().faint : gpu.faint();
     const IntegralKind kind{.lit = look.shading.enabled,
                             .bounded = true,
                             .occlusion = occlusion,
                             .held = heldFor(shown),
+                            .faint = &faint,
                             .hasLevels = shown == Shown::AllWithFocus};
     gl::ShaderProgram& program =
         programs_.get(gl::Variant{{{"RAYS", 1}, {"LABELS_ALONE", shown == Shown::ProtectedLabels}},
@@ -37,7 +39,8 @@ void ProtectedLayerPass::run(Steps& steps, const GpuScene& gpu, const Look& look
                       integralVariant(gpu, kind) + rays.variant());
     rays.setUniforms(program);
     bindIntegral(gpu, program, true);
-    bindFaint(gpu, program);
+    bindFaint(gpu, faint, program);
+    bindFaintOpacities(gpu, faint, program);
     if (shown == Shown::ProtectedLabels)
       bindLabels(gpu.protectedLabels(), program);
     else if (shown == Shown::AllWithFocus)

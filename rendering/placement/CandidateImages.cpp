@@ -180,9 +180,9 @@ std::vector<Candidate> CandidateImages::measure(const GpuScene& gpu, const std::
 }
 
 gl::ShaderProgram& CandidateImages::prepared(gl::ShaderVariants& programs, const GpuScene& gpu) {
-  gl::ShaderProgram& program = programs.get(
-      gl::Variant{{}, {scheduleChoice(gpu.schedule()), focusChoice(gpu), oneFunctionChoice(), clip_.choice()}} +
-      searchVariant(gpu));
+  gl::ShaderProgram& program =
+      programs.get(gl::Variant{{}, {scheduleChoice(gpu.schedule()), focusChoice(gpu), opaqueChoice(), clip_.choice()}} +
+                   searchVariant(gpu));
   bindFirstHit(gpu, program);
   const Grid grid = gpu.drawnGrid();
   if (!clip_.kept.empty()) program.set(clip_.uniforms(grid));

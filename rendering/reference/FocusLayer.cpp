@@ -2,86 +2,14 @@
 
 #include <atomic>
 
-#include "rendering/reference/ContextFunctions.h"
 #include "rendering/reference/FadingIntegral.h"
-#include "rendering/reference/Field.h"
-#include "rendering/reference/FocalRegion.h"
-#include "rendering/reference/FocusShows.h"
-#include "rendering/reference/Ghosting.h"
 #include "rendering/reference/Kronrod.h"
-#include "rendering/reference/Light.h"
-#include "rendering/reference/Occlusion.h"
+#include "rendering/reference/Medium.h"
 #include "rendering/reference/Parts.h"
-#include "rendering/scene/Fading.h"
-#include "rendering/scene/Importance.h"
-#include "rendering/scene/Lighting.h"
 #include "rendering/volume/Threads.h"
 
 namespace fenestra::reference {
 namespace {
-
-/// What all rays of a picture share.
-struct Medium {
-  const Scene& scene;
-  Field field;
-  FocusField focus;        ///< or the protected labels, of which the context shows
-  bool onlyFocus = false;  ///< nothing else shows
-  std::optional<Alone> alone{};
-  FocusShows focusShows;
-  Light light;
-  VoxelNormals normals;
-  std::optional<SplineVectors> splineNormals;  ///< of a lit spline
-  std::optional<FocusNormals> focusNormals;
-  ContextFunctions context;
-  std::vector<ValueGap> clear;  ///< values without any extinction
-  double wallDepth;             ///< mm
-  const Occlusion* occlusion;   ///< null: none
-  std::optional<MethodStages::Fading> fading;
-  std::optional<FocalRegion> region;  ///< around which it fades
-  std::optional<Ghosting> ghosting;   ///< of what an opening would remove
-  EyeRange eyeRange;
-  double steepest;
-
-  Medium(const Scene& what, const Camera& camera, const Occlusion* occluded)
-      : Medium(what, camera, FocusField(what), occluded) {
-    fading = fadingOf(what.look);
-    if (fading && fading->region) region.emplace(*fading->region, what);
-    if (fading && fading->ghost) ghosting.emplace(*fading->ghost);
-    if (scene.look.shading.enabled && focus.hasLabels()) focusNormals.emplace(scene.volume->grid, focus);
-  }
-  /// The medium of some labels alone, as part of the context.
-  static Medium ofLabels(const Scene& what, const Camera& camera, const std::vector<std::uint16_t>& labels,
-                         const Occlusion* occluded) {
-    Medium medium(what, camera, FocusField(*structuresOf(what), labels), occluded);
-    medium.onlyFocus = true;
-    return medium;
-  }
-
-  Medium(const Scene& what, const Camera& camera, FocusField held, const Occlusion* occluded)
-      : scene(what),
-        field(what),
-        focus(std::move(held)),
-        focusShows(what),
-        light(camera, what.look.shading),
-        normals(*what.volume),
-        context(what),
-        clear(context.all().front().transparentGaps(0.0)),
-        occlusion(occluded),
-        eyeRange(eyeRangeOf(camera, what.volume->grid)),
-        steepest(steepestSlope(*what.volume)) {
-    const Grid& grid = scene.volume->grid;
-    wallDepth = lighting::wallDepthVoxels * std::min({grid.spacing.x, grid.spacing.y, grid.spacing.z});
-    if (scene.look.shading.enabled && field.spline())
-      splineNormals.emplace(
-          grid.dims, [&](glm::ivec3 voxel) { return normals.gated(field.spline()->gradient(glm::dvec3(voxel))); });
-  }
-
-  bool leavesOut(bool held) const { return alone && (*alone == Alone::InFocus) != held; }
-  bool isClear(ValueRange range) const {
-    return std::any_of(clear.begin(), clear.end(),
-                       [&](const ValueGap& gap) { return gap.low < range.low && range.high < gap.high; });
-  }
-};
 
 template <class ValueAt>
 class Integrator {
@@ -101,6 +29,7 @@ class Integrator {
     for (int again = 0; medium_.fading && state_.error > tolerance_ && again < mostRefinements; ++again) {
       local_ /= 16.0;
       state_ = {};
+      bodies_ = {};
       isBehindHole_ = false;
       walk();
     }
@@ -110,12 +39,21 @@ class Integrator {
   double error() const { return state_.error; }
 
  private:
+  /// What a ray meets of a translucent label in one go (rendering/settings/LabelSettings.h).
+  struct Body {
+    int label = 0;  ///< number of the context's, or below 0, of the focus's; 0: none
+    double opacity = 1.0;
+    double opacitySoFar = 0.0;  ///< A: were it whole
+    double end = 0.0;           ///< t of its last point so far
+  };
+
   void walk() {
     const Span &span = ray_.span, &hole = ray_.hole;
     const double before = std::min(hole.tIn, span.tOut);
     if (ray_.ghostedTo) return walk(span);
     if (span.tIn <= before) walk({span.tIn, before});
     isBehindHole_ = true;
+    bodies_ = {};
     if (hole.tOut < span.tOut) walk({std::max(hole.tOut, span.tIn), span.tOut});
   }
 
@@ -175,7 +113,7 @@ class Integrator {
     const ValueRange& focusRange = medium_.focus.range();
     places_.assign({0.0, 1.0});
     const Stops stops = monotoneStops(value);
-    for (const TransferFunction::Node& node : medium_.context.all().front().nodes)
+    for (const TransferFunction::Node& node : medium_.context.function().nodes)
       if (range.low <= node.value && node.value <= range.high) appendCrossings(value, stops, node.value, places_);
     if (field) {
       const Stops focusStops = monotoneStops(focusValue);
@@ -184,7 +122,7 @@ class Integrator {
       for (const double node : medium_.focusShows.nodes())
         if (range.low <= node && node <= range.high) appendCrossings(value, stops, node, places_);
     }
-    if (medium_.context.differ() || (field && medium_.focusShows.differ())) appendMiddles(piece, places_);
+    if (medium_.context.any() || (field && medium_.focusShows.differ())) appendMiddles(piece, places_);
     if (medium_.scene.look.shading.enabled) appendTurns(piece);
     if (medium_.occlusion) medium_.occlusion->appendCrossings(piece, places_);
     if (medium_.region) medium_.region->appendCrossings(worldAt(piece.tBegin), worldAt(piece.tEnd), places_);
@@ -202,23 +140,66 @@ class Integrator {
       inFocus_ = held && !medium_.onlyFocus;
       const glm::dvec3 at = glm::mix(piece.begin, piece.end, middle) + glm::dvec3(piece.cell);
       Part part;
+      Body body;
       if (inFocus_) {
         const FocusShow& show = medium_.focusShows.at(at);
+        body = {show.label > 0 ? -1 - show.label : 0, show.opacity};
         if (show.function)
           part = functionPart(*show.function, value, begin, end);
         else
           part.from = show.material;
       } else {
-        part = functionPart(medium_.context.all()[medium_.context.numberAt(at)], value, begin, end);
+        const std::size_t number =
+            medium_.onlyFocus ? medium_.context.numberAt(at, medium_.labelsAlone) : medium_.context.numberAt(at);
+        body = {static_cast<int>(number), medium_.context.opacityOf(number)};
+        part = functionPart(medium_.context.function(), value, begin, end);
       }
       part.begin = begin;
       part.end = end;
       part.length = (end - begin) * (piece.tEnd - piece.tBegin);
-      if (medium_.fading && !inFocus_)
-        medium_.ghosting ? addGhosted(part) : medium_.region ? addAround(part) : addFading(part);
+      if (body.label == 0)
+        addWhole(part);
       else
-        addPart(part, maxHalvings);
+        addOf(body, part);
     }
+  }
+
+  /// Adds a part of what is not translucent.
+  void addWhole(const Part& part) {
+    if (medium_.fading && !inFocus_)
+      medium_.ghosting ? addGhosted(part) : medium_.region ? addAround(part) : addFading(part);
+    else
+      addPart(part, maxHalvings);
+  }
+
+  /// Adds a part of a body. It is found behind the transmittance that there would be, were the body whole:
+  /// T0 (1 - A) in place of T0 (1 - s A). Of what that adds, s shows.
+  void addOf(const Body& body, const Part& part) {
+    if (!(part.depth(1.0) > 0.0)) return;
+    const auto tAt = [&](double u) { return glm::mix(piece_->tBegin, piece_->tEnd, u); };
+    auto at = std::find_if(bodies_.begin(), bodies_.end(), [&](const Body& met) { return met.label == body.label; });
+    if (at == bodies_.end()) {
+      bodies_.back() = body;  // in place of the one met longer ago
+      bodies_.back().end = tAt(part.begin);
+      at = std::prev(bodies_.end());
+    }
+    std::rotate(bodies_.begin(), at, std::next(at));
+    Body& met = bodies_.front();
+    met.opacitySoFar *= 1.0 - std::min((tAt(part.begin) - met.end) / medium_.bodyGap, 1.0);
+    const FadingState before = state_;
+    const double shown = transmittance(), whole = 1.0 - met.opacitySoFar;
+    const double inFront = shown / (1.0 - body.opacity * met.opacitySoFar);  // T0
+    state_ = {};
+    state_.depth = -std::log(inFront * whole);
+    if (whole > 0.0) addWhole(part);
+    const double added = whole > 0.0 ? inFront * whole - transmittance() : 0.0;
+    const FadingState found = state_;
+    state_ = before;
+    state_.colour += body.opacity * found.colour;
+    state_.error += body.opacity * found.error;
+    state_.depth = -std::log(shown - body.opacity * added);
+    met.opacitySoFar = std::min(met.opacitySoFar + added / inFront, 1.0);
+    met.end = tAt(part.end);
   }
 
   /// At the corners of a cell of trilinear values.
@@ -377,6 +358,8 @@ class Integrator {
   const ValueAt& valueAt_;
   const CutRay& ray_;
   const double tolerance_, perMillimetre_;
+
+  std::array<Body, 2> bodies_{};  ///< the last ones, the last one first
 
   // The current cell and the part of it.
   const Piece* piece_ = nullptr;

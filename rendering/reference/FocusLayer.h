@@ -3,6 +3,7 @@
 
 #include <limits>
 
+#include "rendering/reference/Alone.h"
 #include "rendering/reference/Reference.h"
 
 namespace fenestra::reference {
@@ -52,8 +53,6 @@ struct ExemptLayers {
 ExemptLayers exemptLayers(const Scene& scene, const Camera& camera, const std::vector<CutRay>& rays, double tolerance,
                           const Occlusion* occlusion = nullptr);
 
-/// What the stretches of rays in an exploded view show: the context without the focus, or the focus alone.
-enum class Alone : std::uint8_t { OutsideFocus, InFocus };
 FocusLayer layerOf(Alone shown, const Scene& scene, const Camera& camera, const std::vector<CutRay>& rays,
                    double tolerance);
 

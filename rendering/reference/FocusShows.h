@@ -10,10 +10,13 @@
 
 namespace fenestra::reference {
 
-/// What a point of the focus shows: one material, or a function of the value there.
+/// What a point of the focus shows: one material, or a function of the value there. Where it is translucent, its bodies
+/// are its label's own.
 struct FocusShow {
   OpticalProperties material;
   std::optional<TransferFunction> function;
+  double opacity = 1.0;
+  std::uint16_t label = 0;  ///< where it is translucent
   bool operator==(const FocusShow&) const = default;
 };
 
@@ -23,7 +26,7 @@ class FocusShows {
  public:
   explicit FocusShows(const Scene& scene)
       : labels_(scene.labels.get()),
-        first_{{scene.look.focusAppearance.colour, scene.look.focusAppearance.extinction}, {}} {
+        first_{{scene.look.focusAppearance.colour, scene.look.focusAppearance.extinction}, {}, 1.0, 0} {
     const auto* focus = std::get_if<LabelFocus>(&scene.look.focus);
     if (std::holds_alternative<ValueFocus>(scene.look.focus)) first_.function = focusFunction(scene);
     if (!focus || !labels_ || focus->labels.empty()) {
@@ -33,7 +36,8 @@ class FocusShows {
     entryOf_.resize(std::numeric_limits<std::uint16_t>::max() + 1, none);
     for (const std::uint16_t value : focus->labels) {
       entryOf_[value] = static_cast<int>(shows_.size());
-      shows_.push_back({focusMaterial(scene, value), focusFunction(scene, value)});
+      const DrawnInFocus drawn = drawnInFocus(scene, value);
+      shows_.push_back({drawn.material, drawn.function, drawn.opacity, drawn.opacity < 1.0 ? value : std::uint16_t{0}});
       addNodes(shows_.back());
     }
     first_ = shows_.front();

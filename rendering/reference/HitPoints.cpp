@@ -1,4 +1,4 @@
-#include "rendering/reference/ContextFunctions.h"
+#include "rendering/reference/ContextLabels.h"
 #include "rendering/reference/Field.h"
 #include "rendering/reference/FocusField.h"
 #include "rendering/reference/Unknown.h"
@@ -45,17 +45,15 @@ Cubic between(const Cubic& c, double from, double to) {
           d * d * d * c[3]};
 }
 
-/// The context's functions, and where each of them is transparent.
+/// The context's translucent labels, and where each of them does not show.
 class ContextGaps {
  public:
-  explicit ContextGaps(const Scene& scene) : functions_(scene) {
-    for (const TransferFunction& function : functions_.all()) gaps_.push_back(function.transparentGaps(1.0 / 255.0));
-  }
-  /// Whether values of that range show in no function. The first decides: the others show less than it.
+  explicit ContextGaps(const Scene& scene) : labels_(scene), gaps_(labels_.gaps()) {}
+  /// Whether values of that range show in no label. All else decides: labels show less.
   bool isClear(ValueRange range) const { return isInGap(gaps_.front(), range); }
   /// First t of the piece in the context.
   std::optional<double> firstHit(const FieldPiece& whole) const {
-    if (!functions_.differ()) return firstOutside(gaps_.front(), whole.value, whole.piece);
+    if (!labels_.any()) return firstOutside(gaps_.front(), whole.value, whole.piece);
     const Piece& piece = whole.piece;
     std::vector<double> ends{0.0, 1.0};
     appendMiddles(piece, ends);
@@ -64,13 +62,13 @@ class ContextGaps {
       const Piece part = Field::partOf(piece, ends[k], ends[k + 1]);
       const glm::dvec3 middle = glm::dvec3(piece.cell) + 0.5 * (part.begin + part.end);
       const Cubic value = between(whole.value, ends[k], ends[k + 1]);
-      if (const auto found = firstOutside(gaps_[functions_.numberAt(middle)], value, part)) return found;
+      if (const auto found = firstOutside(gaps_[labels_.numberAt(middle)], value, part)) return found;
     }
     return {};
   }
 
  private:
-  ContextFunctions functions_;
+  ContextLabels labels_;
   std::vector<Gaps> gaps_;
 };
 

@@ -1,6 +1,6 @@
 #include "rendering/reference/Maximum.h"
 
-#include "rendering/reference/ContextFunctions.h"
+#include "rendering/reference/ContextLabels.h"
 #include "rendering/reference/Field.h"
 #include "rendering/reference/FocusField.h"
 #include "rendering/scene/Scene.h"
@@ -11,15 +11,13 @@ namespace {
 
 struct Greatest {
   double value = -std::numeric_limits<double>::infinity();
-  std::size_t function = 0;
+  std::size_t label = 0;  ///< translucent, see ContextLabels
 };
 
-/// The volume, where it is context, and where each of the context's functions is transparent.
+/// The volume, where it is context, and where each of its translucent labels does not show.
 class Context {
  public:
-  explicit Context(const Scene& scene) : field_(scene), focus_(scene), functions_(scene) {
-    for (const TransferFunction& function : functions_.all()) gaps_.push_back(function.transparentGaps(1.0 / 255.0));
-  }
+  explicit Context(const Scene& scene) : field_(scene), focus_(scene), labels_(scene), gaps_(labels_.gaps()) {}
 
   /// Cuts a piece wherever the focus, a gap or the nearest voxel may begin or end and where the value turns around.
   /// Between two cuts the value rises or falls, and is context or is not: its greatest value is at a cut.
@@ -39,8 +37,8 @@ class Context {
   }
 
   glm::dvec4 colour(const Greatest& best, double thickness) const {
-    const auto shown = functions_.all()[best.function].evaluate(belowGap(best));
-    const double opacity = -std::expm1(-shown.extinction * thickness);
+    const auto shown = labels_.function().evaluate(belowGap(best));
+    const double opacity = -labels_.opacityOf(best.label) * std::expm1(-shown.extinction * thickness);
     return {shown.colour * opacity, opacity};
   }
 
@@ -48,7 +46,7 @@ class Context {
   /// The value, or where it is the lower end of a gap, but for rounding, the nearest one below: a function may end
   /// there in a step.
   double belowGap(const Greatest& best) const {
-    for (const ValueGap& gap : gaps_[best.function]) {
+    for (const ValueGap& gap : gaps_[best.label]) {
       const double hair = 1e-9 * std::max(std::abs(gap.low), 1.0);
       if (gap.low - hair < best.value && best.value < gap.high)
         return std::nextafter(gap.low, -std::numeric_limits<double>::infinity());
@@ -65,7 +63,7 @@ class Context {
     if (focus)
       for (const double level : {focus_.range().low, focus_.range().high})
         appendCrossings(*focus, monotoneStops(*focus), level, cuts);
-    if (functions_.differ()) appendMiddles(part.piece, cuts);
+    if (labels_.any()) appendMiddles(part.piece, cuts);
     std::sort(cuts.begin(), cuts.end());
     return cuts;
   }
@@ -79,16 +77,16 @@ class Context {
       if (field >= focus_.range().low && field <= focus_.range().high) return;
     }
     const glm::dvec3 at = glm::mix(part.piece.begin, part.piece.end, middle) + glm::dvec3(part.piece.cell);
-    const std::size_t function = functions_.numberAt(at);
-    for (const ValueGap& gap : gaps_[function])
+    const std::size_t label = labels_.numberAt(at);
+    for (const ValueGap& gap : gaps_[label])
       if (gap.low < value && value < gap.high) return;
     const double greatest = std::max(evaluate(part.value, from), evaluate(part.value, to));
-    if (greatest > best.value) best = {greatest, function};
+    if (greatest > best.value) best = {greatest, label};
   }
 
   Field field_;
   FocusField focus_;
-  ContextFunctions functions_;
+  ContextLabels labels_;
   std::vector<std::vector<ValueGap>> gaps_;
 };
 

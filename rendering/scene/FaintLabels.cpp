@@ -27,7 +27,15 @@ FaintLabels faintLabels(const Scene& scene) {
   LabelSettings settings;
   for (const LabelSetting& each : scene.look.labels)
     if (each.opacity < 1.0 && isInContext(scene, each)) settings.push_back(each);
-  FaintLabels faint{distinct(settings), {}};
+  FaintLabels faint;
+  if (settings.size() <= FaintLabels::most) {
+    for (const LabelSetting& each : settings) {
+      faint.opacities.push_back(each.opacity);
+      faint.numbers.emplace_back(each.label, static_cast<std::uint8_t>(faint.opacities.size()));
+    }
+    return faint;
+  }
+  faint.opacities = distinct(settings);
   if (faint.opacities.size() > FaintLabels::most) {
     constexpr double steps = FaintLabels::most + 1.0;
     for (LabelSetting& each : settings)
@@ -39,6 +47,16 @@ FaintLabels faintLabels(const Scene& scene) {
     faint.numbers.emplace_back(each.label, static_cast<std::uint8_t>(1 + (at - faint.opacities.begin())));
   }
   return faint;
+}
+
+bool hasBodies(const Scene& scene) {
+  const auto* focus = std::get_if<LabelFocus>(&scene.look.focus);
+  const bool inFocus = focus && focusesStructures(scene) &&
+                       std::any_of(scene.look.labels.begin(), scene.look.labels.end(), [&](const LabelSetting& each) {
+                         return (each.opacity < 1.0 || !each.visible) &&
+                                std::binary_search(focus->labels.begin(), focus->labels.end(), each.label);
+                       });
+  return inFocus || faintLabels(scene).any();
 }
 
 std::vector<TransferFunction> contextFunctions(const Scene& scene, const FaintLabels& faint) {

@@ -1,5 +1,5 @@
 #pragma once
-// Labels of the context that are fainter than the transfer function makes them.
+// Labels of the context that are translucent: LabelSettings.h says what their opacity means.
 
 #include <cstdint>
 #include <utility>
@@ -11,10 +11,11 @@ namespace fenestra {
 
 /// Labels of structuresOf(scene) that are not in focus, neither hidden nor of opacity 0, and of an opacity below 1.
 ///
-/// The context's transfer function at a point is that of its nearest voxel's label: the volume's function, or for a
-/// label listed here that function at its opacity (see atOpacity).
+/// A point of the context belongs to its nearest voxel's label. It is context where the opacity over 1 mm, times the
+/// label's, exceeds a threshold.
 struct FaintLabels {
-  /// Ascending, each once. Where more than `most` differ, each is rounded to a whole multiple of 1/(most + 1).
+  /// One for each label. For more labels than `most` each once, ascending: labels of one opacity are one body then; and
+  /// where more than `most` differ, each is rounded to a whole multiple of 1/(most + 1).
   std::vector<double> opacities;
   /// Labels, ascending, each with a number from 1 on: the label has opacities[number - 1].
   std::vector<std::pair<std::uint16_t, std::uint8_t>> numbers;
@@ -22,6 +23,8 @@ struct FaintLabels {
   static constexpr std::size_t most = 127;
 
   bool any() const { return !numbers.empty(); }
+  /// Of a number; 1 for 0, which is no label listed here.
+  double opacityOf(std::size_t number) const { return number == 0 ? 1.0 : opacities[number - 1]; }
   /// Those numbers per label value, 65536 elements; 0 for labels that are not listed.
   std::vector<std::uint8_t> numberOfLabel() const;
 
@@ -29,8 +32,11 @@ struct FaintLabels {
 };
 
 FaintLabels faintLabels(const Scene& scene);
+/// Whether labels are drawn as bodies: some in the context are faint, or some in focus of an opacity below 1.
+bool hasBodies(const Scene& scene);
 
-/// The context's functions, by those numbers: the volume's (shifted), then that function at each of the opacities.
+/// Even media in place of the context's labels, by those numbers: the volume's function (shifted), then that function
+/// at each of the opacities.
 std::vector<TransferFunction> contextFunctions(const Scene& scene, const FaintLabels& faint);
 
 }  // namespace fenestra

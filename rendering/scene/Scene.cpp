@@ -69,20 +69,25 @@ bool isInContext(const Scene& scene, const LabelSetting& setting) {
   return structuresOf(scene) && shownRole(setting) != LabelRole::Hidden && !isInFocus(scene, setting.label);
 }
 
-OpticalProperties focusMaterial(const Scene& scene, std::uint16_t label) {
-  const LabelSetting setting =
-      focusesStructures(scene) ? settingFor(scene.look.labels, label) : LabelSetting{.label = label};
+DrawnInFocus drawnInFocus(const Scene& scene, std::uint16_t label) {
+  const bool isStructure = focusesStructures(scene);
+  LabelSetting setting = isStructure ? settingFor(scene.look.labels, label) : LabelSetting{.label = label};
   const Label* known = scene.labels->find(label);
   const glm::dvec3 own = known ? known->colour : defaultLabelColour(label);
-  return {setting.colour.value_or(own),
-          setting.visible ? opticalExtinction(scene.look.focusAppearance.extinction, setting.opacity) : 0.0};
+  return {.material = {setting.colour.value_or(own), scene.look.focusAppearance.extinction},
+          .function = isStructure ? std::move(setting.function) : scene.look.focusAppearance.function,
+          .opacity = setting.visible ? setting.opacity : 0.0};
+}
+
+OpticalProperties focusMaterial(const Scene& scene, std::uint16_t label) {
+  const DrawnInFocus drawn = drawnInFocus(scene, label);
+  return {drawn.material.colour, opticalExtinction(drawn.material.extinction, drawn.opacity)};
 }
 
 std::optional<TransferFunction> focusFunction(const Scene& scene, std::uint16_t label) {
-  if (!focusesStructures(scene)) return scene.look.focusAppearance.function;
-  LabelSetting setting = settingFor(scene.look.labels, label);
-  if (!setting.function) return {};
-  return atOpacity(std::move(*setting.function), setting.visible ? setting.opacity : 0.0);
+  DrawnInFocus drawn = drawnInFocus(scene, label);
+  if (!drawn.function) return {};
+  return drawn.opacity < 1.0 ? atOpacity(std::move(*drawn.function), drawn.opacity) : std::move(drawn.function);
 }
 
 const std::optional<TransferFunction>& focusFunction(const Scene& scene) { return scene.look.focusAppearance.function; }

@@ -51,12 +51,22 @@ bool isInContext(const Scene& scene, const LabelSetting& setting);
 /// Protected, those that are visible.
 std::vector<std::uint16_t> labelsWith(LabelRole role, const Scene& scene);
 
-/// Colour and extinction (1/mm) of a label in focus, as the look has changed them; where it has no focusFunction.
+/// How a label in focus is drawn: a body of one material or, where there is a function, of that; and its opacity, which
+/// is 0 where it is not visible. LabelSettings.h says what that means.
+struct DrawnInFocus {
+  OpticalProperties material{};
+  std::optional<TransferFunction> function{};
+  double opacity = 1.0;
+};
+DrawnInFocus drawnInFocus(const Scene& scene, std::uint16_t label);
+
+/// Colour and extinction (1/mm) of an even medium in place of a label in focus (see opticalExtinction), as the look has
+/// changed them; where it has no focusFunction.
 OpticalProperties focusMaterial(const Scene& scene, std::uint16_t label);
-/// Colour and extinction by value of a label in focus; empty where it is of one material. What is focus does not depend
-/// on it: at a point of the focus, the volume's interpolated value there takes the place of the material, and the label
-/// is that of the nearest voxel, as it is for materials. A label's opacity changes the extinction of each node, see
-/// opticalExtinction; its colour is for slices then. The labels of a grown region have the region's function.
+/// Colour and extinction by value of an even medium in place of a label in focus; empty where it is of one material.
+/// What is focus does not depend on it: at a point of the focus, the volume's interpolated value there takes the place
+/// of the material, and the label is that of the nearest voxel, as it is for materials. Its colour is for slices then.
+/// The labels of a grown region have the region's function.
 std::optional<TransferFunction> focusFunction(const Scene& scene, std::uint16_t label);
 /// Colour and extinction by value of a focus of values; empty where it is of one material.
 const std::optional<TransferFunction>& focusFunction(const Scene& scene);

@@ -2,7 +2,7 @@
 // premultiplied RGBA.
 #include <begins>
 #include <focus>
-#include <functions>
+#include <translucent>
 #include <schedule>
 #include <volume>
 #include "lib/Crossing.glsl"
@@ -22,25 +22,25 @@ uniform float leastTransmittance;  // of the focus layer, below which nothing be
 
 const float HAIR = 1e-5;  // of the way through a cell
 
-// The greatest value found, stored, and the function of the context there.
+// The greatest value found, stored, and the translucent label there.
 struct Greatest {
   float value;
-  int function;
+  int label;
   bool below;  // it is the lower end of a gap, where the function may end in a step
 };
 
-// Takes in a part of a path that is context, of one function, where its values are not in a gap: the greatest value of the
+// Takes in a part of a path that is context, of one label, where its values are not in a gap: the greatest value of the
 // cubic, or the lower end of the gap that holds that, where the part comes down so far.
-void take(inout Greatest best, vec4 stored, int function) {
+void take(inout Greatest best, vec4 stored, int label) {
   vec2 turns = turningPoints(stored);
   float first = bernstein(stored, turns.x), second = bernstein(stored, turns.y);
   float high = max(max(stored.x, stored.w), max(first, second)), low = min(min(stored.x, stored.w), min(first, second));
-  vec2 gap = gapAround(function, high);
+  vec2 gap = gapAround(label, high);
   float shown = gap.x < gap.y ? gap.x : high;
   bool better = shown >= low && shown > best.value;
   best.below = better ? gap.x < gap.y : best.below;
   best.value = better ? shown : best.value;
-  best.function = better ? function : best.function;
+  best.label = better ? label : best.label;
 }
 
 // Takes in the context between two faces of a cell. `onFocus`: the path starts on the focus's surface.
@@ -57,19 +57,19 @@ void takeCell(inout Greatest best, Ray ray, ivec3 cell, float s, float sNext, co
   vec4 field = focusAlong(held, a, b, stored);
   vec2 range = focusRange();
   if (onFocus) field.x = clamp(field.x, range.x, range.y);
-  uint functions = functionsIn(cell);
-  // A cubic crosses the two ends of a range at most six times; functions change at three places. What begins at a change is
+  uint labels = labelsIn(cell);
+  // A cubic crosses the two ends of a range at most six times; labels change at three places. What begins at a change is
   // told a hair behind it, where rounding does not decide; where the field stays that near to an end, by where the path ends.
   int left = 10;
   float from = 0.0, to = 1.0;
   do {
     float behind = from > 0.0 ? min(from + HAIR, 1.0) : 0.0;
-    to = functionsDiffer(functions) ? nextFunction(a, b, from) : 1.0;
+    to = labelsDiffer(labels) ? nextLabel(a, b, from) : 1.0;
     if (holds) to = min(max(to, behind), nextChange(field, behind));
     if (--left == 0) behind = to = 1.0;
     bool inFocus = holds && sideOf(bernstein(field, behind)) == 0.0;
-    int function = functionsDiffer(functions) ? functionAt(vec3(cell) + mix(a, b, 0.5 * (from + to))) : int(functions);
-    if (!inFocus) take(best, bernsteinBetween(stored, from, to), function);
+    int label = labelsDiffer(labels) ? labelAt(vec3(cell) + mix(a, b, 0.5 * (from + to))) : int(labels);
+    if (!inFocus) take(best, bernsteinBetween(stored, from, to), label);
     from = to;
   } while (to < 1.0);
 }
@@ -90,15 +90,15 @@ void takeStretch(inout Greatest best, Ray ray, float s, float sEnd, bool onFocus
   } while (goesOn);
 }
 
-// Colour and opacity of a layer of that value.
+// Colour and opacity of a layer of that value, of its label.
 vec4 colourOf(Greatest best) {
   float entry = entryOf(best.value);
-  int index = segmentNear(best.function, entry);
+  int index = segmentNear(entry);
   Segment segment = segmentAt(index);
   if (best.below ? entry <= segment.low : entry < segment.low) segment = segmentAt(index - 1);
   else if (entry > segment.high) segment = segmentAt(index + 1);
   vec4 material = segment.material + segment.slope * (entry - segment.anchor);
-  float opacity = 1.0 - exp(-max(material.a, 0.0) * thickness);
+  float opacity = opacityOf(best.label) * (1.0 - exp(-max(material.a, 0.0) * thickness));
   return vec4(max(material.rgb, 0.0) * opacity, opacity);
 }
 

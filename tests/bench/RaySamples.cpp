@@ -63,7 +63,7 @@ std::optional<Stretch> RaySampler::stretchAt(glm::dvec3 index, const reference::
     stretch.extinction = show.function ? show.function->evaluate(value).extinction : show.material.extinction;
     if (!(stretch.extinction > 0.0)) return {};
   } else {
-    stretch.extinction = context_.all()[context_.numberAt(index)].evaluate(value).extinction;
+    stretch.extinction = context_.function().evaluate(value).extinction;
     if (!(opacityFromExtinction(stretch.extinction) > 1.0 / 255.0)) return {};
     findSlope(stretch, index, ray, light, valueAt);
   }

@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-#include "rendering/reference/ContextFunctions.h"
+#include "rendering/reference/ContextLabels.h"
 #include "rendering/reference/FocusField.h"
 #include "rendering/reference/FocusShows.h"
 #include "rendering/reference/Light.h"
@@ -62,7 +62,7 @@ class RaySampler {
   ShownVolume shown_;
   reference::FocusField focus_;
   reference::FocusShows focusShows_;
-  reference::ContextFunctions context_;
+  reference::ContextLabels context_;
   reference::VoxelNormals normals_;
   double finestSpacing_, steepest_;
   glm::dvec3 focusCentre_;

@@ -1,4 +1,4 @@
-// Labels of the context at an opacity of their own: every stage against the reference, pictures within their bounds,
+// Translucent labels: every stage against the reference, pictures within their bounds, the opacity that is asked for,
 // and no cost without such labels.
 
 #include <map>
@@ -95,7 +95,7 @@ TEST_F(FaintLabelsTest, StagesAreTheReferences) {
   }
 }
 
-TEST_F(FaintLabelsTest, HitsFollowTheFaintFunctions) {
+TEST_F(FaintLabelsTest, HitsFollowTheLabels) {
   const Scene scene = body(false);
   Scene whole = scene;
   whole.look.labels.clear();
@@ -215,25 +215,108 @@ TEST_F(FaintLabelsTest, PicturesWithoutABoundAreNearTheReference) {
     }
 }
 
-TEST_F(FaintLabelsTest, AnEvenMediumFollowsBeersLaw) {
+TEST_F(FaintLabelsTest, AnEvenMediumShowsItsOpacityOfItself) {
   Scene scene = body(false);
   scene.look.focus = {};
   const OpticalProperties even{{0.9, 0.5, 0.2}, 0.06};
   scene.look.context.function = {{{0.0, even}, {1000.0, even}}};
   scene.labels = labelsOf(scene.volume->grid, [](glm::ivec3) { return 2; });
-  Scene thin = scene;
-  thin.labels = nullptr;
-  for (TransferFunction::Node& node : thin.look.context.function.nodes)
-    node.properties.extinction = opticalExtinction(0.06, 0.3);
+  Scene plain = scene;
+  plain.labels = nullptr;
   View view{aside(scene), size, 1.0, Quality::High};
   for (const Schedule schedule : pictureSchedules())
     for (const std::optional<double> bound : {std::optional<double>(), std::optional(0.5)}) {
       view.maxError = bound;
-      const Layers here = drawn(scene, view, schedule), there = drawn(thin, view, schedule);
+      const Layers here = drawn(scene, view, schedule), there = drawn(plain, view, schedule);
       for (std::size_t i = 0; i < here.final.size(); ++i)
         // Some forty pieces of a ray, each with an exponential in float32.
-        EXPECT_LE(glm::length(here.final[i] - there.final[i]), 1e-4f) << nameOf(schedule);
+        EXPECT_LE(glm::length(here.final[i] - 0.3f * there.final[i]), 1e-4f) << nameOf(schedule);
     }
+}
+
+/// An opaque ball of label 2 and a thin and a thick slab of label 3 in a clear medium; label 1, behind them all, is a
+/// wall.
+Scene opaqueBodies(bool lit) {
+  const Grid grid = gridOf({48, 40, 40});
+  const auto ball = [](glm::ivec3 i) { return glm::length(glm::dvec3(i) - glm::dvec3(20.0, 12.0, 20.0)) < 8.3; };
+  const auto slabs = [](glm::ivec3 i) {
+    return i.y >= 24 && i.y < 36 && i.x >= 8 && i.x < (i.z < 20 ? 10 : 24) && i.z >= 6 && i.z < 34;
+  };
+  Scene scene;
+  scene.volume =
+      volumeOf<std::int16_t>(grid, [&](glm::ivec3 i) { return ball(i) || slabs(i) || i.x >= 40 ? 1000 : 0; });
+  scene.labels = labelsOf(grid, [&](glm::ivec3 i) { return i.x >= 40 ? 1 : ball(i) ? 2 : slabs(i) ? 3 : 0; });
+  scene.look.context.function = {{{520.0, {{1.0, 0.9, 0.8}, 0.0}}, {540.0, {{1.0, 0.9, 0.8}, 40.0}}}};
+  scene.look.focusAppearance.extinction = 40.0;
+  scene.look.shading.enabled = lit;
+  put(scene.look.labels, {.label = 1, .role = LabelRole::Hidden});
+  return scene;
+}
+
+/// From the front, so that slabs are seen face on.
+View headOn(const Scene& scene) {
+  const glm::dvec3 centre = scene.volume->grid.centre();
+  return {lookAt(centre - glm::dvec3(200.0, 0.0, 0.0), centre, Projection::Orthographic, 42.0),
+          {84, 84},
+          1.0,
+          Quality::High};
+}
+
+TEST_F(FaintLabelsTest, BodiesHaveTheOpacityThatIsAskedForThinOrThick) {
+  for (const double opacity : {0.1, 0.4, 0.8})
+    for (const bool inFocus : {false, true})
+      for (const std::optional<double> bound : {std::optional<double>(), std::optional(0.5)}) {
+        Scene scene = opaqueBodies(false);
+        for (const std::uint16_t label : {2, 3}) put(scene.look.labels, {.label = label, .opacity = opacity});
+        if (inFocus) scene.look.focus = LabelFocus{{2, 3}};
+        scene.look.cutaway.enabled = false;
+        View view = headOn(scene);
+        view.maxError = bound;
+        const Layers layers = drawn(scene, view, usualSchedule());
+        const auto alphaAt = [&](glm::ivec2 pixel) {
+          return layers.final[static_cast<std::size_t>(pixel.y * view.size.x + pixel.x)].a;
+        };
+        // In the context a voxel beside the label shows, where it is as bright, as what it is: away from the rim, then.
+        int met = 0, right = 0;
+        for (int y = 0; y < view.size.y; ++y)
+          for (int x = 0; x < view.size.x; ++x) {
+            if (alphaAt({x, y}) == 0.0f) continue;
+            ++met;
+            right += std::abs(alphaAt({x, y}) - opacity) <= 1.0 / 255.0;
+            EXPECT_LE(alphaAt({x, y}), (inFocus ? opacity : 1.0) + 1.0 / 255.0);
+          }
+        EXPECT_GT(met, 1000);
+        EXPECT_GT(right, met * (inFocus ? 0.95 : 0.8)) << (bound ? "bounded" : "normal");
+      }
+}
+
+TEST_F(FaintLabelsTest, TheRimOfAProtectedLabelIsNotRagged) {
+  for (const double opacity : {0.1, 0.4, 0.8}) {
+    Scene scene = opaqueBodies(false);
+    scene.look.labels.clear();
+    scene.look.focus = LabelFocus{{1}};
+    scene.look.cutaway.openWidth = 60.0;
+    scene.look.cutaway.borderWidth = 0.0;
+    scene.look.contextLayer.strength = 0.0;
+    put(scene.look.labels, {.label = 2, .role = LabelRole::Protected, .opacity = opacity});
+    const View view = headOn(scene);
+    const std::vector<glm::vec4> layer = drawn(scene, view, usualSchedule()).protectedLayer;
+    ASSERT_EQ(layer.size(), std::size_t{84 * 84});
+    int met = 0, ragged = 0;
+    for (int y = 1; y < 83; ++y)
+      for (int x = 1; x < 83; ++x) {
+        const auto alphaAt = [&](int i, int j) { return layer[static_cast<std::size_t>(j * 84 + i)].a; };
+        const float here = alphaAt(x, y);
+        if (here == 0.0f) continue;
+        ++met;
+        EXPECT_LE(here, opacity + 1.0 / 255.0);
+        // Along the rim and inside, neighbours that meet the label differ by little.
+        for (const float beside : {alphaAt(x + 1, y), alphaAt(x, y + 1)})
+          ragged += beside > 0.0f && std::abs(beside - here) > 4.0f / 255.0f;
+      }
+    EXPECT_GT(met, 500) << opacity;
+    EXPECT_LE(ragged, met / 50) << opacity << ": " << met;
+  }
 }
 
 TEST_F(FaintLabelsTest, TheDevicesCopyFollowsEveryChange) {
@@ -272,10 +355,10 @@ TEST_F(FaintLabelsTest, TheDevicesCopyFollowsEveryChange) {
 TEST_F(FaintLabelsTest, CostNothingWhereThereAreNone) {
   Scene whole = body(true);
   whole.look.labels.clear();
-  // Settings that make no label of the context faint.
+  // Settings that make no label translucent.
   Scene none = whole;
-  put(none.look.labels, {.label = 1, .opacity = 0.4});   // in focus
-  put(none.look.labels, {.label = 77, .opacity = 0.4});  // without voxels
+  put(none.look.labels, {.label = 1, .role = LabelRole::Protected});  // in focus
+  put(none.look.labels, {.label = 77, .opacity = 0.4});               // without voxels
   const auto memoryOf = [](const Scene& scene) {
     const auto gpu = std::make_shared<GpuScene>();
     Renderer(gpu).render(scene, {aside(scene), size});
@@ -291,9 +374,7 @@ TEST_F(FaintLabelsTest, CostNothingWhereThereAreNone) {
   std::map<std::string, std::size_t> bytes(more.begin(), more.end()), without(less.begin(), less.end());
   EXPECT_GT(bytes["faint labels"], 0u);
   EXPECT_LE(bytes["faint labels"], whole.volume->grid.voxelCount() * 8 / 5) << "a byte a voxel of a box";
-  // One function for both labels: two rows of the tables, its segments, and an index of them by entry.
-  const std::size_t rows = 2 * 16 * GpuScene::tableSize, index = 4 * GpuScene::tableSize;
-  EXPECT_EQ(bytes["transfer tables"] - without["transfer tables"], rows + index);
+  EXPECT_EQ(bytes["transfer tables"], without["transfer tables"]) << "labels share the volume's function";
 
   // No further programs draw the picture, and none declares the index.
   std::set<std::string> sources, before;

@@ -249,6 +249,18 @@ TEST(SessionFile, OpensAnOlderVersion) {
   EXPECT_EQ(io::readSession(file), session);
 }
 
+TEST(SessionFile, OpensTheOpacityOfLabelsOfVersion3AsThatOf30Millimetres) {
+  const fs::path sample = fs::path(FENESTRA_SESSION_SAMPLES) / "version-3.fenestra";
+  const io::Session session = io::readSession(sample);
+  const LabelSettings& labels = session.look.labels;
+  EXPECT_NEAR(settingFor(labels, 2).opacity, 1.0 - 0.6 * 0.6 * 0.6, 1e-15);
+  EXPECT_EQ(settingFor(labels, 2).role, LabelRole::Protected);
+  EXPECT_EQ(settingFor(labels, 3).opacity, 0.0);
+  EXPECT_EQ(settingFor(labels, 5).opacity, 1.0);
+  const fs::path file = saved(session);
+  EXPECT_EQ(io::readSession(file).look.labels, labels) << "what is saved is of this version";
+}
+
 TEST(SessionFile, RefusesANewerVersionAndOtherFiles) {
   const fs::path file = saved(fullSession(scratchFolder()));
   Json root = Json::parse(readFile(file));

@@ -1,4 +1,4 @@
-// Which labels of the context are fainter, and by what function.
+// Which labels are translucent, and by what opacity.
 
 #include "rendering/scene/FaintLabels.h"
 
@@ -35,22 +35,24 @@ TEST(FaintLabels, AreThoseOfTheContextBelowOpacity1) {
   put(scene.look.labels, {.label = 9, .opacity = 0.5});
   scene.look.focus = LabelFocus{{1, 9}};
   const FaintLabels faint = faintLabels(scene);
-  EXPECT_EQ(faint.opacities, (std::vector<double>{0.3, 0.6}));
-  EXPECT_EQ(faint.numbers, (Numbers{{2, 2}, {3, 1}, {7, 2}}));
+  EXPECT_EQ(faint.opacities, (std::vector<double>{0.6, 0.3, 0.6})) << "each label's own";
+  EXPECT_EQ(faint.numbers, (Numbers{{2, 1}, {3, 2}, {7, 3}}));
+  EXPECT_EQ(faint.opacityOf(0), 1.0);
+  EXPECT_EQ(faint.opacityOf(2), 0.3);
   const std::vector<std::uint8_t> numbers = faint.numberOfLabel();
   ASSERT_EQ(numbers.size(), 65536u);
-  EXPECT_EQ(numbers[2], 2);
+  EXPECT_EQ(numbers[2], 1);
   EXPECT_EQ(numbers[9], 0) << "in focus";
   EXPECT_EQ(labelsWith(LabelRole::Hidden, scene), (Labels{4, 5, 6})) << "opacity 0 is hidden";
   EXPECT_EQ(labelsWith(LabelRole::Protected, scene), (Labels{3, 8}));
   EXPECT_EQ(shownVolume(scene).hidden, (Labels{4, 5, 6}));
 
   const std::vector<TransferFunction> functions = contextFunctions(scene, faint);
-  ASSERT_EQ(functions.size(), 3u);
+  ASSERT_EQ(functions.size(), 4u);
   EXPECT_EQ(functions[0], scene.look.context.shifted());
-  EXPECT_EQ(functions[1].nodes[1].properties.extinction, opticalExtinction(0.4, 0.3));
-  EXPECT_EQ(functions[2].nodes[0].properties.extinction, 0.0);
-  EXPECT_EQ(functions[2].evaluate(100.0).extinction, 0.5 * opticalExtinction(0.4, 0.6)) << "linear between nodes";
+  EXPECT_EQ(functions[2].nodes[1].properties.extinction, opticalExtinction(0.4, 0.3));
+  EXPECT_EQ(functions[1].nodes[0].properties.extinction, 0.0);
+  EXPECT_EQ(functions[1].evaluate(100.0).extinction, 0.5 * opticalExtinction(0.4, 0.6)) << "linear between nodes";
 
   scene.look.focus = ValueFocus{};
   EXPECT_EQ(faintLabels(scene).numbers.size(), 4u) << "no label is in focus";
@@ -58,6 +60,20 @@ TEST(FaintLabels, AreThoseOfTheContextBelowOpacity1) {
   EXPECT_EQ(faintLabels(scene).numbers.size(), 4u) << "beside a region";
   scene.structures = nullptr;
   EXPECT_FALSE(faintLabels(scene).any());
+}
+
+TEST(FaintLabels, OfTheFocusAreThoseBelowOpacity1) {
+  Scene scene = labelled();
+  scene.look.focus = LabelFocus{{1, 2}};
+  EXPECT_FALSE(hasBodies(scene));
+  EXPECT_EQ(drawnInFocus(scene, 1).opacity, 1.0);
+  put(scene.look.labels, {.label = 2, .opacity = 0.25});
+  EXPECT_TRUE(hasBodies(scene));
+  EXPECT_EQ(drawnInFocus(scene, 2).opacity, 0.25);
+  EXPECT_EQ(drawnInFocus(scene, 2).material.extinction, scene.look.focusAppearance.extinction) << "whole";
+  put(scene.look.labels, {.label = 2, .visible = false});
+  EXPECT_TRUE(hasBodies(scene));
+  EXPECT_EQ(drawnInFocus(scene, 2).opacity, 0.0);
 }
 
 TEST(FaintLabels, AreOfAtMost127Opacities) {

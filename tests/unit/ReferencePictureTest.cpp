@@ -57,12 +57,12 @@ TEST(ReferenceFocusLayer, labelsShowTheirFunctionsOfTheValue) {
     return glm::dvec4(blue * (1.0 - t0) + red * (t0 - t1) + blue * (t1 - t2) + green * (t2 - t3), 1.0 - t3);
   };
   expectNear(onePixel(scene, 1e-12), expected(0.1, 0.2), 1e-12);
-  // A label's opacity is that of 10 mm of it, at each node.
+  // Half of the label shows at an opacity of a half.
   put(scene.look.labels, {.label = 1, .opacity = 0.5, .function = step});
-  const auto halved = [](double extinction) {
-    return -std::log(1.0 - 0.5 * (1.0 - std::exp(-10.0 * extinction))) / 10.0;
-  };
-  expectNear(onePixel(scene, 1e-12), expected(halved(0.1), halved(0.2)), 1e-12);
+  const double t0 = std::exp(-0.05 * 4.0), within = std::exp(-0.1 * 1.5), behind = within * std::exp(-0.2 * 2.5);
+  const double t2 = t0 * (0.5 + 0.5 * behind), t3 = t2 * std::exp(-0.3 * 4.0);
+  const glm::dvec3 half = 0.5 * t0 * (red * (1.0 - within) + blue * (within - behind));
+  expectNear(onePixel(scene, 1e-12), {blue * (1.0 - t0) + half + green * (t2 - t3), 1.0 - t3}, 1e-12);
   put(scene.look.labels, {.label = 1, .visible = false, .function = step});
   expectNear(onePixel(scene, 1e-12), expected(0.0, 0.0), 1e-12);
   // A label that is not in focus shows as context, whatever its function.

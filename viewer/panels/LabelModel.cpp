@@ -150,8 +150,8 @@ QVariant LabelModel::settingData(std::size_t label, int column, int role) const 
     case Opacity:
       if (role == Qt::DisplayRole) return percent(setting.opacity);
       if (role == Qt::EditRole) return static_cast<int>(std::lround(100.0 * setting.opacity));
-      return tip ? tr("Opacity of 10 mm of it as a share of what they have otherwise, and of its tint on slices; "
-                      "click to change it. At 0 % it is left out of the 3-D pictures.")
+      return tip ? tr("Opacity of its surface, however thick it is, and of its tint on slices; click to change it. "
+                      "At 0 % it is left out of the 3-D pictures.")
                  : QVariant();
     default:
       return {};

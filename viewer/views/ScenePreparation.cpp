@@ -102,7 +102,7 @@ ScenePreparation::Kind ScenePreparation::kindOf(const Scene& scene, const View& 
           .smoothed = labels && look.labelSmoothing != LabelSmoothing::Off,
           .byValue = hasFocusFunction(scene),
           .protects = hasCutaway(scene) && !labelsWith(LabelRole::Protected, scene).empty(),
-          .faint = faintLabels(scene).any(),
+          .translucent = hasBodies(scene),
           .lit = look.shading.enabled,
           .cutaway = hasCutaway(scene),
           .method = hasCutaway(scene) || fadingOf(look) || wallsOf(look) || explosionOf(look) || maximumOf(look)

@@ -48,7 +48,7 @@ class ScenePreparation {
   struct Kind {
     ShownVolume volume;
     std::size_t focus = 0;
-    bool manyLabels = false, smoothed = false, byValue = false, protects = false, faint = false, lit = false,
+    bool manyLabels = false, smoothed = false, byValue = false, protects = false, translucent = false, lit = false,
          cutaway = false;
     ChosenMethod method{};  ///< without the numbers that decide on no program
     bool occluded = false;  ///< ambient occlusion or shadows

@@ -5,7 +5,7 @@
 // the point where the field does. Where neighbouring rays run in step, a ray waits until all of them need the next stage.
 #include <clip>
 #include <focus>
-#include <functions>
+#include <translucent>
 #include <look>
 #include <schedule>
 #include <volume>

@@ -1,6 +1,6 @@
 // A search for the first hit of the focus, or of the context, along a ray: its state, and how it moves on (lib/FirstHit.glsl).
 #include <focus>
-#include <functions>
+#include <translucent>
 #include <schedule>
 #include "lib/Crossing.glsl"
 #include "lib/Traversal.glsl"
@@ -9,7 +9,7 @@
 UNSIGNED_TEXELS_3D(r16ui, focusSkip);
 UNSIGNED_TEXELS_3D(r16ui, contextSkip);
 
-// Open intervals of stored values in which the context is transparent, for each of its functions (`<functions>`).
+// Open intervals of stored values in which the context is transparent, for each of its translucent labels and, first, all else (`<translucent>`).
 uniform int gapCount;
 layout(std430, binding = 1) readonly buffer Gaps { vec2 gaps[]; };
 
@@ -28,11 +28,11 @@ struct Search {
   float hit;
 };
 
-// The gap of a function that holds a value; an empty one where none does.
-vec2 gapAround(int function, float value) {
+// The gap of a label that holds a value; an empty one where none does.
+vec2 gapAround(int label, float value) {
   vec2 found = vec2(FAR, -FAR);
   for (int i = 0; i < gapCount; ++i) {
-    vec2 gap = gaps[function * gapCount + i];
+    vec2 gap = gaps[label * gapCount + i];
     found = mix(found, gap, bvec2(value > gap.x && value < gap.y));
   }
   return found;
@@ -65,13 +65,13 @@ vec2 gapAround(float first) {
   return first < range.x ? vec2(-FAR, range.x) : first > range.y ? vec2(range.y, FAR) : vec2(FAR, -FAR);
 }
 
-// The u where, along a path within a cell, the context begins by the functions there; 2 where it does not. `along`: the field.
+// The u where, along a path within a cell, the context begins by the labels there; 2 where it does not. `along`: the field.
 float firstContextExit(ivec3 cell, vec3 a, vec3 b, vec4 along) {
-  uint functions = functionsIn(cell);
+  uint labels = labelsIn(cell);
   float from = 0.0, to = 0.0, found = 2.0;
   do {
-    to = functionsDiffer(functions) ? nextFunction(a, b, from) : 1.0;
-    vec2 gap = gapAround(functionAt(vec3(cell) + mix(a, b, 0.5 * (from + to))), bernstein(along, from));
+    to = labelsDiffer(labels) ? nextLabel(a, b, from) : 1.0;
+    vec2 gap = gapAround(labelAt(vec3(cell) + mix(a, b, 0.5 * (from + to))), bernstein(along, from));
     vec4 part = bernsteinBetween(along, from, to);
     float u = leavesHull(part, gap.x, gap.y) ? firstExit(part, gap.x, gap.y) : 2.0;
     if (u <= 1.0) found = mix(from, to, u);

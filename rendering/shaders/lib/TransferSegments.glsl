@@ -26,7 +26,7 @@ Segment segmentAt(int index) {
 Segment constantSegment(vec4 material) { return Segment(-FAR, FAR, 0.0, material, vec4(0.0)); }
 
 // The segment that holds an entry, or one beside it where a node lies within half an entry. `function`: 0 is the volume's, then
-// come those of faint labels and of the focus.
+// come those of the focus.
 int segmentNear(int function, float entry) {
   return int(segmentOfEntry[function * TABLE_SIZE + int(clamp(entry, 0.0, LAST_ENTRY) + 0.5)]);
 }

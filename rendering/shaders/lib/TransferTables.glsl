@@ -2,7 +2,7 @@
 #include <schedule>
 #include "lib/Transfer.glsl"
 
-// Rows of TABLE_SIZE entries, two a function, the context's first (`<functions>`): emission and extinction; the integral of
+// Rows of TABLE_SIZE entries, two a function, the context's first: emission and extinction; the integral of
 // both from the first entry on (entries/mm).
 TEXELS_2D(rgba32f, transferTables);
 

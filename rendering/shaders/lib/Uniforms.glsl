@@ -45,7 +45,7 @@ struct FocusUniforms {
   vec2 range;                   // of a value focus, stored values, closed
   ivec3 paletteOrigin;          // index of the palette texture's first voxel
   vec3 smoothOrigin;            // cell frame: outer corner of the smoothed indicator's first texel
-  vec4 table;                   // as focusTable() has it, where all of the focus has one
+  vec4 table;                   // as focusTable() has it, where all of the focus has one; w: its opacity
   mat3 worldFromIndexGradient;  // gradients: world (1/mm) from index
 };
 
@@ -55,6 +55,7 @@ struct IntegralUniforms {
   float maxError;            // of a pixel's colour; for lib/integral/CellByCell.glsl
   float cutFaceDepth;        // mm behind a cut face over which its own light gives way to the volume's
   float cutFaceShare;        // of a cut face's light that is the face's own at its surface
+  float perGap;              // 1/mm: a body ends within the reciprocal behind its last point (lib/integral/Bodies.glsl)
 };
 
 // lib/light/BlinnPhong.glsl

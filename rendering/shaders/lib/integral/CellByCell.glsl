@@ -39,7 +39,7 @@ vec4 bernsteinTurned(Ray ray, float f[8], vec3 a, vec3 b) {
 // `f`: the cell's corners, turned.
 int lookInto(Ray ray, ivec3 cell, float s, float sNext, float f[8], out CellPath path) {
   path.cell = cell;
-  path.functions = functionsIn(cell);
+  path.labels = labelsIn(cell);
   path.sFrom = s;
   path.sTo = sNext;
   path.a = clamp(cellPosition(ray, s) - vec3(cell), 0.0, 1.0);
@@ -50,7 +50,7 @@ int lookInto(Ray ray, ivec3 cell, float s, float sNext, float f[8], out CellPath
   setFocus(path, held, stored);
   if (mayHoldFocus(held) && mayMeetFocus(path)) return SECTIONS;
   if (!isShown(false)) return LEAP;
-  int shown = functionsDiffer(path.functions) ? SECTIONS : CONTEXT;
+  int shown = path.labels != 0u ? SECTIONS : CONTEXT;
   return mayShow(path) ? shown : LEAP;
 }
 
@@ -72,6 +72,7 @@ struct Walk {
   int stage;
   int after;         // the stage after an integration: LEAP, or ENDED where the ray leaves the volume
   vec4 result;       // colour and opacity so far, premultiplied
+  Bodies bodies;     // with HAS_BODIES
 };
 
 Walk walkFrom(Ray ray, Cut cut, bool visible) {
@@ -89,6 +90,7 @@ Walk walkFrom(Ray ray, Cut cut, bool visible) {
   walk.stage = visible ? LEAP : ENDED;
   walk.after = ENDED;
   walk.result = vec4(0.0);
+  walk.bodies = noBodies();
   return walk;
 }
 
@@ -135,13 +137,13 @@ void add(inout Walk walk, vec4 colour, bool whole) {
 
 float shareOf(Walk walk) { return (walk.path.sTo - walk.path.sFrom) / max(walk.ray.sOut - walk.cut.start, 1e-30); }
 
-// Integrates the next part of a cell that holds none of the focus and one function of the context. A ray with more parts than
+// Integrates the next part of a cell that holds none of the focus and no translucent label. A ray with more parts than
 // its neighbours does not hold them up: it stays in the stage CONTEXT until they are there again.
 void integrateContext(inout Walk walk) {
   CellPath path = walk.path;
   if (walk.integrated == 0.0) {
     walk.normals = normalsAlong(path.cell, path.a, path.b);
-    walk.segment = segmentNear(int(path.functions), path.entries.x);
+    walk.segment = segmentNear(path.entries.x);
     walk.parts = 0;
   }
   Section section = wholeOf(path, walk.normals);
@@ -156,14 +158,14 @@ void integrateContext(inout Walk walk) {
   add(walk, colour, whole);
 }
 
-// Integrates a cell some of which may be in the focus, or that has several functions.
+// Integrates a cell some of which may be in the focus, or of a translucent label.
 void integrateSections(inout Walk walk) {
   CellPath path = walk.path;
   vec2 range = focusRange();
   if (walk.cut.onFocus != 0u && path.sFrom == walk.cut.start)
     path.focusAlong.x = ontoFocus(path.focusAlong.x, range);
   CellNormals normals = normalsAlong(path.cell, path.a, path.b);
-  add(walk, integrateSections(path, normals, walk.ray, walk.cut, 1.0 - walk.result.a, shareOf(walk)), true);
+  add(walk, integrateSections(path, normals, walk.ray, walk.cut, 1.0 - walk.result.a, shareOf(walk), walk.bodies), true);
 }
 
 void follow(inout Walk walk) {

@@ -21,7 +21,7 @@
 const int MOST_PIECES = 64;  // of a part
 const int MOST_PARTS = 256;  // of a cell
 
-// Stages of a walk; SECTIONS: of a cell some of which may be in the focus, or in which the context's functions differ.
+// Stages of a walk; SECTIONS: of a cell some of which may be in the focus, or of a translucent label.
 const int LEAP = 0, LOOK = 1, CONTEXT = 2, SECTIONS = 3, ENDED = 4;
 
 // What a part holds, whatever light falls on it. Positions are 0 to 1 from its front; the weight of a position is the
@@ -180,12 +180,20 @@ Part nextPart(Section section, float from, inout int index) {
   return part;
 }
 
+// What shows of a part of a section: of a translucent label, what shows of its body.
+vec4 showPart(Section section, Ray ray, Cut cut, Part part, float transmittance, float share, inout Bodies bodies) {
+  if (!HAS_BODIES || section.label.number == 0) return integratePart(section, ray, cut, part, transmittance, share);
+  vec2 ends = mix(vec2(section.sFrom), vec2(section.sTo), vec2(part.from, part.to));
+  meet(bodies, section.label, ends.x);
+  return shownOf(bodies, integratePart(section, ray, cut, part, transmittance * wholeShare(bodies), share), ends.y);
+}
+
 // `transmittance`: in front of the section; `share`: its share of the ray's length.
-vec4 integrateSection(Section section, Ray ray, Cut cut, float transmittance, float share) {
+vec4 integrateSection(Section section, Ray ray, Cut cut, float transmittance, float share, inout Bodies bodies) {
   if (!isByValue(section)) {
     Segment segment =
         constantSegment(vec4(section.material.rgb / max(section.material.a, 1e-30), section.material.a));
-    return integratePart(section, ray, cut, Part(0.0, 1.0, vec4(0.0), segment), transmittance, share);
+    return showPart(section, ray, cut, Part(0.0, 1.0, vec4(0.0), segment), transmittance, share, bodies);
   }
   vec4 result = vec4(0.0);
   int index = segmentNear(functionOf(section), section.entries.x), left = MOST_PARTS;
@@ -194,8 +202,8 @@ vec4 integrateSection(Section section, Ray ray, Cut cut, float transmittance, fl
     Part part = nextPart(section, from, index);
     if (--left == 0) part.to = 1.0;
     if (shows(part))
-      result = over(result, integratePart(section, ray, cut, part, transmittance * (1.0 - result.a),
-                                          share * (part.to - part.from)));
+      result = over(result, showPart(section, ray, cut, part, transmittance * (1.0 - result.a),
+                                     share * (part.to - part.from), bodies));
     from = part.to;
   } while (from < 1.0);
   return result;
@@ -210,17 +218,19 @@ Section wholeOf(CellPath path, CellNormals normals) {
   section.entries = path.entries;
   section.inFocus = false;
   section.material = vec4(0.0);
-  if (SEVERAL_FUNCTIONS) section.function = int(path.functions);
+  section.function = 0;
+  section.label = noLabel();
   section.normals = normals;
   return section;
 }
 
-// A cell that holds both focus and context, or context of several functions, section by section.
-vec4 integrateSections(CellPath path, CellNormals normals, Ray ray, Cut cut, float transmittance, float share) {
+// A cell that holds both focus and context, or translucent labels, section by section.
+vec4 integrateSections(CellPath path, CellNormals normals, Ray ray, Cut cut, float transmittance, float share,
+                       inout Bodies bodies) {
   Section section = wholeOf(path, normals);
   if (OWN_NORMALS) focusNormalsAlong(path.cell, path.a, path.b, section.normals.focus);
   vec4 result = vec4(0.0);
-  // A cubic crosses the two ends of a range at most six times; colours and functions change at three places.
+  // A cubic crosses the two ends of a range at most six times; colours and labels change at three places.
   int left = 10;
   section.uTo = 0.0;
   do {
@@ -229,7 +239,7 @@ vec4 integrateSections(CellPath path, CellNormals normals, Ray ray, Cut cut, flo
     section.inFocus = held && !ONLY_FOCUS;
     section.uTo = nextChange(path.focusAlong, section.uFrom);
     if (section.inFocus) section.uTo = min(section.uTo, nextColour(path.a, path.b, section.uFrom));
-    else section.uTo = min(section.uTo, nextFunction(path.a, path.b, section.uFrom));
+    else section.uTo = min(section.uTo, nextLabel(path.a, path.b, section.uFrom));
     section.sFrom = mix(path.sFrom, path.sTo, section.uFrom);
     section.sTo = mix(path.sFrom, path.sTo, section.uTo);
     section.entries = bernsteinBetween(path.entries, section.uFrom, section.uTo);
@@ -239,7 +249,7 @@ vec4 integrateSections(CellPath path, CellNormals normals, Ray ray, Cut cut, flo
     findFunction(section, path, at);
     if (isShown(held))
       result = over(result, integrateSection(section, ray, cut, transmittance * (1.0 - result.a),
-                                             share * (section.uTo - section.uFrom)));
+                                             share * (section.uTo - section.uFrom), bodies));
   } while (section.uTo < 1.0 && --left > 0);
   return result;
 }

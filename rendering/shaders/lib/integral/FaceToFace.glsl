@@ -7,7 +7,7 @@
 // of the trilinear field, which are at the faces, at every one. The error is of second order in the cells' size.
 #include <clip>
 #include <focus>
-#include <functions>
+#include <translucent>
 #include <light>
 #include <opening>
 #include <schedule>
@@ -25,12 +25,13 @@ Walk walkFrom(Ray ray, Cut cut, bool visible) {
   ivec3 cell = cellAt(ray, cut.start);
   walk.block = blockAt(cell, walk.upwards, invisibleAround(cell));
   walk.slot = focusSlot(cell);
-  walk.functions = functionsIn(cell);
+  walk.labels = labelsIn(cell);
   walk.back = pointInside(ray, cell, cut.start);
   classify(walk.back, cell);
   walk.front = walk.back;
   walk.result = vec4(0.0);
   walk.last = vec4(0.0);
+  walk.bodies = noBodies();
   walk.left = visible ? 1 : 0;
   return walk;
 }
@@ -57,7 +58,7 @@ void leapAhead(inout Walk walk, out Face face, out Block behind) {
         walk.block = behind;
         walk.back.s = face.s;
         if (LEAPS_TO_VISIBLE) walk.slot = focusSlot(behind.cell);
-        if (LEAPS_TO_VISIBLE) walk.functions = functionsIn(behind.cell);
+        if (LEAPS_TO_VISIBLE) walk.labels = labelsIn(behind.cell);
       }
     }
   } while (leaps);
@@ -97,7 +98,7 @@ void takeStep(inout Walk walks[RAYS], Face faces[RAYS], Block behind[RAYS], cons
     isOne[i] = isWhole(walks[i]) ? 1u : 0u;
     walks[i].block = behind[i];
     walks[i].slot = focusSlot(behind[i].cell);
-    walks[i].functions = functionsIn(behind[i].cell);
+    walks[i].labels = labelsIn(behind[i].cell);
   }
   for (int i = 0; i < RAYS; ++i) {
     vec4 piece;

@@ -5,6 +5,7 @@
 #include <opening>
 #include "lib/PreIntegration.glsl"
 #include "lib/Traversal.glsl"
+#include "lib/integral/Bodies.glsl"
 #include "lib/integral/CellField.glsl"
 #include "lib/integral/Piece.glsl"
 #include "lib/integral/RayPoint.glsl"
@@ -16,18 +17,19 @@ struct Walk {
   ivec3 upwards;
   Block block;            // ahead of the ray
   uint slot;              // of the focus, in that block
-  uint functions;         // of the context, in that block's first cell
+  uint labels;            // of the context, in that block's first cell
   RayPoint front, back;   // of the segment crossed last
   CellField field;        // of that segment's cell; with lib/segment/Cells.glsl
   vec4 result;            // colour and opacity so far, premultiplied
+  Bodies bodies;          // with HAS_BODIES
   vec4 last;              // of the last segment that shows anything to speak of
   int left;               // 1: the ray goes on
 };
 
 // Early ray termination: what lies behind the last segment can no longer be seen.
 bool goesOn(Walk walk) { return walk.left != 0; }
-bool isWhole(Walk walk) { return walk.slot == 0u && walk.functions == 0u; }
-// Whether the segment ahead may have parts: in the focus, or of other functions than the volume's.
+bool isWhole(Walk walk) { return walk.slot == 0u && walk.labels == 0u; }
+// Whether the segment ahead may have parts: in the focus, or of a translucent label.
 bool mayHaveParts(Walk walk) { return goesOn(walk) && !isWhole(walk); }
 
 // `gated`: the gated normal at the position (cell frame), for where the focus has no normal of its own.

@@ -1,7 +1,7 @@
-// A segment that is partly in the focus, or in which the context's functions differ.
+// A segment that is partly in the focus, or of translucent labels.
 #include <colours>
 #include <focus>
-#include <functions>
+#include <translucent>
 #include <light>
 #include <volume>
 #include "lib/Crossing.glsl"
@@ -77,16 +77,14 @@ vec4 pieceInFocus(Walk walk, ivec3 cell, RayPoint enters, RayPoint leavesAt) {
   return pieceBetween(walk, enters, leavesAt, material, true);
 }
 
-// What shows of the context from one point in a cell to another, by one of its functions.
-vec4 pieceByFunction(Walk walk, RayPoint front, RayPoint back, int function) {
-  Table table = tableFrom(2 * function);
-  vec4 mean = meanWithoutBranch(table, boundAt(table, front.entry), boundAt(table, back.entry));
+vec4 pieceOfContext(Walk walk, RayPoint front, RayPoint back) {
+  vec4 mean = meanWithoutBranch(contextTable(), boundAt(contextTable(), front.entry), boundAt(contextTable(), back.entry));
   return pieceBetween(walk, front, back, mean, false);
 }
 
-// What shows of the context from one point in a cell to another. Where there are several functions, the part of each is lit in
-// two halves, as contextPiece() is.
-vec4 contextBetween(Walk walk, ivec3 cell, RayPoint front, RayPoint back) {
+// What shows of the context from one point in a cell to another. Where labels are translucent, the part of each is lit in two
+// halves, as contextPiece() is.
+vec4 contextBetween(inout Walk walk, ivec3 cell, RayPoint front, RayPoint back) {
   if (!HAS_FAINT) return pieceBetween(walk, front, back, meanOfContext(front, back), false);
   vec3 a = clamp(cellPosition(walk.ray, front.s) - vec3(cell), 0.0, 1.0);
   vec3 b = clamp(cellPosition(walk.ray, back.s) - vec3(cell), 0.0, 1.0);
@@ -94,28 +92,31 @@ vec4 contextBetween(Walk walk, ivec3 cell, RayPoint front, RayPoint back) {
   float from = 0.0, to = 0.0;
   vec4 result = vec4(0.0);
   do {
-    to = nextFunction(a, b, from);
+    to = nextLabel(a, b, from);
     end = between(front, back, to);
-    int function = functionAt(vec3(cell) + mix(a, b, 0.5 * (from + to)));
+    int number = labelAt(vec3(cell) + mix(a, b, 0.5 * (from + to)));
+    Label label = number > 0 ? Label(number, opacityOf(number)) : noLabel();
     RayPoint middle = between(begin, end, 0.5);
-    if (LIT)
-      result = over(result, over(pieceByFunction(walk, begin, middle, function),
-                                 pieceByFunction(walk, middle, end, function)));
-    else
-      result = over(result, pieceByFunction(walk, begin, end, function));
+    vec4 piece = vec4(0.0);
+    if (LIT) piece = over(pieceOfContext(walk, begin, middle), pieceOfContext(walk, middle, end));
+    else piece = pieceOfContext(walk, begin, end);
+    result = over(result, shownOf(walk.bodies, label, piece, begin.s, end.s));
     begin = end;
     from = to;
   } while (to < 1.0);
   return result;
 }
 
-// A segment that is partly in the focus, or in which the context's functions differ: what lies before, in and behind the
-// focus.
-vec4 focusPiece(Walk walk, ivec3 cell, vec2 part) {
+// A segment that is partly in the focus, or of translucent labels: what lies before, in and behind the focus.
+vec4 focusPiece(inout Walk walk, ivec3 cell, vec2 part) {
   RayPoint front = walk.front, back = walk.back;
   RayPoint enters = between(front, back, part.x), leavesAt = between(front, back, max(part.x, part.y));
   vec4 before = contextBetween(walk, cell, front, enters);
   vec4 inside = pieceInFocus(walk, cell, enters, leavesAt);
+  if (HAS_BODIES) {
+    Label label = focusLabel(cellPosition(walk.ray, 0.5 * (enters.s + leavesAt.s)));
+    inside = shownOf(walk.bodies, label, inside, enters.s, leavesAt.s);
+  }
   vec4 behind = contextBetween(walk, cell, leavesAt, back);
   return over(over(before, inside), behind);
 }

@@ -2,15 +2,14 @@
 // in one segment of a transfer function.
 #include <colours>
 #include <focus>
-#include <functions>
+#include <translucent>
 #include <shown>
 #include "lib/Crossing.glsl"
 #include "lib/FocusSides.glsl"
 #include "lib/TransferSegments.glsl"
+#include "lib/integral/Bodies.glsl"
 #include "lib/integral/PathLight.glsl"
 #include "lib/integral/Settings.glsl"
-
-const bool SEVERAL_FUNCTIONS = FOCUS_BY_VALUE || HAS_FAINT;  // there are others than the volume's
 
 // What a ray finds between two faces of a cell. Vectors of four are Bernstein coefficients along it.
 struct CellPath {
@@ -20,7 +19,7 @@ struct CellPath {
   vec4 entries;       // table entries of the values
   vec4 focusAlong;    // the focus's field, where some of the path may be in the focus
   vec4 stored;        // values; with FOCUS_BY_VALUE
-  uint functions;     // of the context, as functionsIn() has them
+  uint labels;        // of the context, as labelsIn() has them
 };
 
 float lowest(vec4 v) { return min(min(v.x, v.y), min(v.z, v.w)); }
@@ -51,26 +50,35 @@ bool mayMeetFocus(CellPath path) {
   return lowest(path.focusAlong) <= range.y && highest(path.focusAlong) >= range.x;
 }
 
-// A part of a path that is all in the focus, of one material or function, or all in the context, of one function.
+// A part of a path that is all in the focus, of one material or function, or all in the context, of one label.
 struct Section {
   float uFrom, uTo;  // of the path
   float sFrom, sTo;  // mm along the ray
   vec4 entries;      // of the context's tables, or of the table of the focus's function
   bool inFocus;
   vec4 material;     // of the focus
-  int function;      // of the context, or of the focus; 0 there: one material. With SEVERAL_FUNCTIONS
+  int function;      // of the focus; 0: one material. With FOCUS_BY_VALUE
+  Label label;       // with HAS_BODIES
   CellNormals normals;
 };
 
-bool isByValue(Section section) { return !section.inFocus || (SEVERAL_FUNCTIONS && section.function > 0); }
-int functionOf(Section section) { return SEVERAL_FUNCTIONS ? section.function : 0; }
+bool isByValue(Section section) { return !section.inFocus || (FOCUS_BY_VALUE && section.function > 0); }
+int functionOf(Section section) { return FOCUS_BY_VALUE && section.inFocus ? section.function : 0; }
 
-// Chooses the function of a section.
+// Chooses the label and the function of a section.
 void findFunction(inout Section section, CellPath path, vec3 at) {
-  if (SEVERAL_FUNCTIONS) section.function = section.inFocus ? 0 : functionAt(at);
+  if (HAS_BODIES) {
+    section.label = noLabel();
+    if (section.inFocus) {
+      section.label = focusLabel(at);
+    } else if (HAS_FAINT) {
+      int label = labelAt(at);
+      section.label = label > 0 ? Label(label, opacityOf(label)) : noLabel();
+    }
+  }
   if (FOCUS_BY_VALUE) {
     vec4 table = focusTable(at);
-    section.function = section.inFocus ? int(table.x) / 2 : section.function;
+    section.function = section.inFocus ? int(table.x) / 2 : 0;
     vec4 entries = clamp(path.stored * table.y + table.z, vec4(-1e12), vec4(1e12));
     if (section.inFocus && section.function > 0) section.entries = bernsteinBetween(entries, section.uFrom, section.uTo);
   }

@@ -29,6 +29,7 @@ struct Walk {
   int stage;
   int after;         // the stage after an integration: LEAP, or ENDED where the ray leaves the volume
   vec4 result;       // colour and opacity so far, premultiplied
+  Bodies bodies;     // with HAS_BODIES
 };
 
 Walk walkFrom(Ray ray, Cut cut, bool visible) {
@@ -44,6 +45,7 @@ Walk walkFrom(Ray ray, Cut cut, bool visible) {
   walk.stage = visible ? LEAP : ENDED;
   walk.after = ENDED;
   walk.result = vec4(0.0);
+  walk.bodies = noBodies();
   return walk;
 }
 
@@ -84,7 +86,7 @@ int nextShown(Walk walk, int each) {
 void look(inout Walk walk) {
   ivec3 cell = middleOf(walk.cell);
   walk.path.cell = cell;
-  walk.path.functions = functionsIn(cell);
+  walk.path.labels = labelsIn(cell);
   walk.path.sFrom = walk.s;
   moveOn(walk, voxelBlockAt(walk.cell, walk.upwards));
   walk.path.sTo = min(walk.s, walk.ray.sOut);
@@ -101,7 +103,7 @@ void look(inout Walk walk) {
     setFocus(path, held, halfOf(walk.values, i));
     meets = meets || mayMeetFocus(path);
   }
-  int shown = functionsDiffer(walk.path.functions) ? SECTIONS : CONTEXT;
+  int shown = walk.path.labels != 0u ? SECTIONS : CONTEXT;
   int needed = !isShown(false) || walk.next == HALVES ? walk.after : shown;
   walk.stage = mayHoldFocus(held) && meets ? SECTIONS : needed;
 }
@@ -115,11 +117,11 @@ void add(inout Walk walk, vec4 colour, bool whole) {
 
 float shareOf(Walk walk, CellPath path) { return (path.sTo - path.sFrom) / max(walk.ray.sOut - walk.cut.start, 1e-30); }
 
-// Integrates the next part of a half that holds none of the focus.
+// Integrates the next part of a half that holds none of the focus and no translucent label.
 void integrateContext(inout Walk walk) {
   CellPath path = halfOf(walk, walk.next);
   if (walk.integrated == 0.0) {
-    walk.segment = segmentNear(int(path.functions), path.entries.x);
+    walk.segment = segmentNear(path.entries.x);
     walk.parts = 0;
   }
   Section section = wholeOf(path, halfOf(walk.normals, walk.next));
@@ -136,7 +138,7 @@ void integrateContext(inout Walk walk) {
   add(walk, colour, whole && walk.next == HALVES);
 }
 
-// Integrates a cell some of which may be in the focus, or that has several functions.
+// Integrates a cell some of which may be in the focus, or of a translucent label.
 void integrateSections(inout Walk walk) {
   vec2 range = focusRange();
   FocusCell held = focusCellAt(focusSlot(walk.path.cell), walk.path.cell);
@@ -147,7 +149,7 @@ void integrateSections(inout Walk walk) {
     if (walk.cut.onFocus != 0u && path.sFrom == walk.cut.start)
       path.focusAlong.x = ontoFocus(path.focusAlong.x, range);
     vec4 colour = integrateSections(path, halfOf(walk.normals, each), walk.ray, walk.cut, 1.0 - walk.result.a,
-                                     shareOf(walk, path));
+                                     shareOf(walk, path), walk.bodies);
     add(walk, colour, each == HALVES - 1);
   } while (++each < HALVES);
 }

@@ -3,7 +3,7 @@
 // SplineCell.glsl has the same interface; `#include <look>` names the one that the scene needs:
 //   look  looks whether the field leaves the gap in the cell ahead, and moves on to what lies behind that
 #include <focus>
-#include <functions>
+#include <translucent>
 #include <volume>
 #include "lib/Crossing.glsl"
 #include "lib/Search.glsl"

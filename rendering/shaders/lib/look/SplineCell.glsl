@@ -1,6 +1,6 @@
 // A search looks into a cell of a spline (the interface is described in Cell.glsl).
 #include <focus>
-#include <functions>
+#include <translucent>
 #include <volume>
 #include "lib/Crossing.glsl"
 #include "lib/Search.glsl"
