@@ -349,37 +349,6 @@ void GpuScene::updateSegments() {
   segmentOfEntry_ = gl::Buffer(std::as_bytes(std::span(all.ofEntry)));
 }
 
-void GpuScene::makePaletteIndex(const LabelMap& labels, const std::vector<std::uint8_t>& entryOf) {
-  // The 0.5 level reaches at most half a voxel past the labelled ones: a margin of one takes its neighbour's entry.
-  focusOrigin_ = glm::max(focus_.index().box->low - 1, 0);
-  const glm::ivec3 size = glm::min(focus_.index().box->high + 1, labels.grid.dims - 1) - focusOrigin_ + 1;
-  std::vector<std::uint8_t> entries(static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y) *
-                                    static_cast<std::size_t>(size.z));
-  labels.voxels.visit([&](auto values) {
-    if constexpr (std::is_unsigned_v<typename decltype(values)::value_type>) {
-      const auto entryAt = [&](glm::ivec3 voxel) -> std::uint8_t {
-        return labels.grid.contains(voxel) ? entryOf[static_cast<std::uint16_t>(values[labels.grid.offset(voxel)])] : 0;
-      };
-      parallelFor(static_cast<std::size_t>(size.z), 4, [&](std::size_t begin, std::size_t end) {
-        for (int z = static_cast<int>(begin); z < static_cast<int>(end); ++z)
-          for (int y = 0; y < size.y; ++y)
-            for (int x = 0; x < size.x; ++x) {
-              const glm::ivec3 voxel = focusOrigin_ + glm::ivec3(x, y, z);
-              std::uint8_t entry = entryAt(voxel);
-              for (int n = 0; entry == 0 && n < 27; ++n)
-                entry = entryAt(voxel + glm::ivec3(n % 3, n / 3 % 3, n / 9) - 1);
-              entries[static_cast<std::size_t>(x) +
-                      static_cast<std::size_t>(size.x) *
-                          (static_cast<std::size_t>(y) +
-                           static_cast<std::size_t>(size.y) * static_cast<std::size_t>(z))] = entry;
-            }
-      });
-    }
-  });
-  focusPaletteIndex_ = gl::Texture::make3D(gl::Format::R8UI, size);
-  focusPaletteIndex_.upload(std::span<const std::uint8_t>(entries));
-}
-
 bool GpuScene::updateContext(const Scene& scene) {
   FaintLabels faint = faintLabels(scene);
   const bool indexChanged = faint_.update(faint, structuresOf(scene));
