@@ -1,6 +1,7 @@
 #include "io/archive/Cache.h"
 
 #include <algorithm>
+#include <cerrno>
 #include <cstdlib>
 #include <system_error>
 
@@ -134,12 +135,14 @@ std::size_t layOut(const std::vector<fs::path>& series, const fs::path& folder) 
   std::error_code failure;
   if (fs::exists(folder, failure) && !fs::is_empty(folder, failure))
     throw Error(folder, "holds files", "name a folder that does not exist or is empty");
-  fs::path made = folder;
-  if (!made.has_filename()) made = made.parent_path();
-  const fs::path target = made;
-  made += ".part";
-  fs::remove_all(made, failure);
-  makePrivate(made);
+  const fs::path target = folder.has_filename() ? folder : folder.parent_path();
+  if (target.has_parent_path()) fs::create_directories(target.parent_path(), failure);
+  // Beside the folder under a name that nobody else has; for its owner alone.
+  std::string name = target.string() + ".XXXXXX";
+  if (!::mkdtemp(name.data()))
+    throw Error(folder, "cannot be made: " + std::generic_category().message(errno),
+                "name a folder that can be written to");
+  const fs::path made = name;
   std::size_t count = 0;
   for (const fs::path& each : series)
     for (const fs::path& file : objectsIn(each)) {

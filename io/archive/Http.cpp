@@ -1,6 +1,8 @@
 #include "io/archive/Http.h"
 
+#include <arpa/inet.h>
 #include <curl/curl.h>
+#include <netinet/in.h>
 
 #include <exception>
 #include <memory>
@@ -10,11 +12,14 @@
 namespace fenestra::io::archive {
 namespace {
 
-/// Whether an address is of this machine, so that what is sent to it leaves it not.
+/// Whether an address is of this machine, so that what is sent to it does not leave it. A name that only begins like a
+/// number of the machine's own, such as 127.example.org, is another's.
 bool isLoopback(const std::string& url) {
   std::string host = url.substr(url.find("//") + 2);
   host = host.substr(0, host.find_first_of("/:"));
-  return host == "localhost" || host.starts_with("127.");
+  in_addr number{};
+  constexpr std::uint32_t own = 127;  // RFC 1122 3.2.1.3
+  return host == "localhost" || (inet_pton(AF_INET, host.c_str(), &number) == 1 && ntohl(number.s_addr) >> 24 == own);
 }
 
 }  // namespace
@@ -26,6 +31,8 @@ struct Http::Transfer {
   std::function<Sink(const Answer&)> sinkFor;
   Sink sink;
   const Source* source = nullptr;
+  std::uint64_t mostInMemory = 0;
+  bool isTooLarge = false;
 
   std::exception_ptr thrown;  ///< by what takes and gives bytes: exceptions must not pass through libcurl
 
@@ -61,8 +68,9 @@ struct Http::Transfer {
       if (sinkFor && answer.status / 100 == 2) sink = sinkFor(answer);
     }
     if (sink) return sink(bytes);
-    answer.body += bytes;
-    return true;
+    isTooLarge = bytes.size() > mostInMemory - answer.body.size();
+    if (!isTooLarge) answer.body += bytes;
+    return !isTooLarge;
   }
 };
 
@@ -94,6 +102,7 @@ void Http::prepare(const std::string& path, const std::vector<std::string>& head
   curl_easy_reset(easy_);  // the connection stays
   transfer.task = &task_;
   transfer.easy = easy_;
+  transfer.mostInMemory = server_.limits.answerBytes;
   curl_slist_free_all(static_cast<curl_slist*>(headers_));
   curl_slist* list = nullptr;
   for (const std::string& each : headers) list = curl_slist_append(list, each.c_str());
@@ -142,7 +151,7 @@ void Http::run(Transfer& transfer) {
 }
 
 void Http::explain(int code, const Transfer& transfer) {
-  if (task_.watch().end() == Watch::End::TooLarge)
+  if (transfer.isTooLarge || task_.watch().end() == Watch::End::TooLarge)
     refuse(server_, "the server sends more than an answer may hold", "it may be no DICOMweb server");
   switch (code) {
     case CURLE_COULDNT_RESOLVE_HOST:

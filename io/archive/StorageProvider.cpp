@@ -162,23 +162,24 @@ void StorageProvider::serve(int socket) {
   Watch watch([this] { return !stops_; }, server_.limits.introduction, activity);
   T_ASC_Network* network = nullptr;
   T_ASC_Association* association = nullptr;
+  std::optional<WatchedLayer> layer;  // outlives the association
   try {
-    WatchedLayer layer(watch, server_, true);
-    const bool isReceived = receiveAssociation(socket, layer, network, association).good();
+    layer.emplace(watch, server_, true);
+    const bool isReceived = receiveAssociation(socket, *layer, network, association).good();
     watch.setSilence(server_.limits.silence);
     if (!isReceived)
       ++connections_;
     else if (negotiate(association))
       converse(association, watch);
-    if (association) {
-      ASC_dropAssociation(association);
-      ASC_destroyAssociation(&association);
-    }
-    if (network) ASC_dropNetwork(&network);
-  } catch (const Error&) {  // of TLS's files
+  } catch (const Error&) {  // of TLS's files, or of a disk that has become full
     ++connections_;
-    close(socket);
+    if (!network) close(socket);
   }
+  if (association) {
+    ASC_dropAssociation(association);
+    ASC_destroyAssociation(&association);
+  }
+  if (network) ASC_dropNetwork(&network);
 }
 
 bool StorageProvider::negotiate(T_ASC_Association* association) {

@@ -4,6 +4,7 @@
 #include <cctype>
 #include <fstream>
 #include <memory>
+#include <random>
 #include <system_error>
 
 #include "io/archive/Association.h"
@@ -104,6 +105,7 @@ class WebSearch {
     for (;;) {
       std::vector<Attributes> next = attributesAt(
           http_, server_, path + "limit=" + std::to_string(page) + "&offset=" + std::to_string(found.size()));
+      if (!found.empty() && !next.empty() && next.front() == found.front()) break;  // the server knows no pages
       const std::size_t count = next.size();
       std::move(next.begin(), next.end(), std::back_inserter(found));
       if (found.size() > server_.limits.answers) {
@@ -196,8 +198,14 @@ class WebTransfer {
     return {[this] {
               file_ = intake_.newFile();
               stream_.open(file_, std::ios::binary | std::ios::trunc);
+              bytes_ = 0;
             },
-            [this](std::string_view bytes) { stream_.write(bytes.data(), static_cast<std::streamsize>(bytes.size())); },
+            [this](std::string_view bytes) {
+              bytes_ += bytes.size();
+              if (bytes_ > server_.limits.objectBytes)
+                refuse(server_, "the server sends more than an object may hold", "it may be no archive");
+              stream_.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+            },
             [this] {
               stream_.close();
               if (stream_.fail()) throw Error(cache_.root(), "cannot be written to", "make room, and try again");
@@ -214,13 +222,22 @@ class WebTransfer {
   Intake intake_;
   fs::path file_;
   std::ofstream stream_;
+  std::uint64_t bytes_ = 0;  ///< of the file
   std::size_t total_ = 0, before_ = 0;
   Retrieved retrieved_;
 };
 
+/// The boundary between the parts of a message. It is random, so that no file can hold it on purpose and end its part.
+std::string newBoundary() {
+  std::random_device random;
+  std::string boundary = "fenestra";
+  for (int i = 0; i < 4; ++i) boundary += "-" + std::to_string(random());
+  return boundary;
+}
+
 /// STOW-RS with one object, whose file is read while it is sent.
 Sent store(const WebServer& server, Http& http, const fs::path& file) {
-  const std::string boundary = "fenestra-1bb08fdc5d59e01a";
+  const std::string boundary = newBoundary();
   const std::string head = "--" + boundary + "\r\nContent-Type: application/dicom\r\n\r\n",
                     tail = "\r\n--" + boundary + "--\r\n";
   std::ifstream stream(file, std::ios::binary);

@@ -10,9 +10,11 @@
 
 #include <gtest/gtest.h>
 
+#include "io/archive/Cache.h"
 #include "io/archive/Query.h"
 #include "io/archive/Retrieve.h"
 #include "io/archive/Send.h"
+#include "io/dicom/Dcmtk.h"
 #include "tests/archive/MadeStudies.h"
 #include "tests/archive/Servers.h"
 #include "tests/io/IoTesting.h"
@@ -228,7 +230,15 @@ TEST_F(ArchiveFaults, SendsTheRestWhereAnObjectIsRefused) {
   std::vector<fs::path> files = archive::filesToSend({study.folder});
   archive::Server server = running_->server;
   server.title = "DCMQRSCP";
-  for (const archive::Sent& each : archive::send(server, files)) EXPECT_TRUE(each.accepted) << each.text;
+  DcmFileFormat unknown;
+  ASSERT_TRUE(unknown.loadFile(files.at(0).c_str()).good());
+  unknown.getDataset()->putAndInsertString(DCM_SOPClassUID, "1.2.3.4");
+  ASSERT_TRUE(unknown.saveFile(files.at(0).c_str()).good());
+  const std::vector<archive::Sent> sent = archive::send(server, files);
+  ASSERT_EQ(sent.size(), 2u);
+  EXPECT_FALSE(sent[0].accepted);
+  EXPECT_NE(sent[0].text.find("does not take this class"), std::string::npos) << sent[0].text;
+  EXPECT_TRUE(sent[1].accepted) << sent[1].text;
   EXPECT_NE(errorOf([&] { archive::filesToSend({folder / "nothing"}); }).find("does not exist"), std::string::npos);
 }
 
@@ -239,6 +249,19 @@ TEST_F(ArchiveFaults, StopsAfterTheMostAnswers) {
       server, {archive::Level::Image, {{"StudyInstanceUID", study_.uid}, {"SeriesInstanceUID", study_.series}}});
   EXPECT_EQ(answers.records.size(), 5u);
   EXPECT_FALSE(answers.complete);
+}
+
+TEST(ArchiveCache, LaysOutASeriesAndLeavesWhatIsBesideIt) {
+  const fs::path folder = scratchFolder();
+  const archive::Cache cache(folder / "cache");
+  writeFile(cache.partOf("1", "1.1") / "object.dcm", "x");
+  cache.complete("1", "1.1");
+  fs::create_directories(folder / "study.part");
+  writeFile(folder / "study.part/mine", "y");
+  EXPECT_EQ(archive::layOut({cache.folderOf("1", "1.1")}, folder / "study/"), 1u);
+  EXPECT_EQ(readFile(folder / "study/object.dcm"), "x");
+  EXPECT_EQ(readFile(folder / "study.part/mine"), "y");
+  EXPECT_NE(errorOf([&] { archive::layOut({}, folder / "study"); }).find("holds files"), std::string::npos);
 }
 
 TEST(ArchiveCache, DropsWhatWasUsedLongestAgoAndNothingElse) {

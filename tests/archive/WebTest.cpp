@@ -6,6 +6,7 @@
 #include <sys/socket.h>
 #include <unistd.h>
 #include <atomic>
+#include <functional>
 #include <set>
 #include <thread>
 
@@ -39,17 +40,24 @@ std::set<std::string> webFinds(const archive::WebServer& server, const archive::
   return found;
 }
 
-/// Answers each request with the same bytes, and closes the connection.
+/// Answers each request, and closes the connection.
 class Answering {
  public:
-  explicit Answering(std::string answer) : answer_(std::move(answer)) {
+  using AnswerTo = std::function<std::string(const std::string& request)>;
+
+  explicit Answering(AnswerTo answerTo) : answerTo_(std::move(answerTo)) {
     thread_ = std::thread([this] {
       while (!stops_) {
         pollfd waited{socket_, POLLIN, 0};
         if (poll(&waited, 1, 10) <= 0) continue;
         const int client = accept(socket_, nullptr, nullptr);
-        char request[4096];
-        if (recv(client, request, sizeof request, 0) > 0) send(client, answer_.data(), answer_.size(), MSG_NOSIGNAL);
+        std::string request(4096, '\0');
+        const ssize_t got = recv(client, request.data(), request.size(), 0);
+        if (got > 0) {
+          request.resize(static_cast<std::size_t>(got));
+          const std::string answer = answerTo_(request);
+          send(client, answer.data(), answer.size(), MSG_NOSIGNAL);
+        }
         shutdown(client, SHUT_WR);
         close(client);
       }
@@ -65,7 +73,7 @@ class Answering {
   }
 
  private:
-  std::string answer_;
+  AnswerTo answerTo_;
   int port_ = 0, socket_ = listeningSocket(port_);
   std::atomic<bool> stops_ = false;
   std::thread thread_;
@@ -74,6 +82,29 @@ class Answering {
 std::string answerOf(const std::string& status, const std::string& type, const std::string& body) {
   return "HTTP/1.1 " + status + "\r\nContent-Type: " + type + "\r\nContent-Length: " + std::to_string(body.size()) +
          "\r\n\r\n" + body;
+}
+
+/// The answer to a search: objects of one series of a study "1.2", each with a UID of its own.
+std::string answerWithObjects(int count) {
+  std::string body = "[";
+  for (int i = 0; i < count; ++i)
+    body += std::string(i == 0 ? "" : ",") + R"({"0020000D": {"vr": "UI", "Value": ["1.2"]}, )" +
+            R"("0020000E": {"vr": "UI", "Value": ["1.2.3"]}, "00080018": {"vr": "UI", "Value": ["1.2.3.)" +
+            std::to_string(i) + R"("]}})";
+  return answerOf("200 OK", "application/dicom+json", body + "]");
+}
+
+/// The error of retrieving three objects where what answers for the series' objects is `answer`.
+std::string errorOfRetrieving(const std::string& answer, const archive::Limits& limits) {
+  const Answering answering([&](const std::string& request) {
+    return request.find('?') != std::string::npos ? answerWithObjects(3) : answer;
+  });
+  archive::WebServer server = answering.server();
+  server.limits = limits;
+  const archive::Cache cache(scratchFolder() / "cache");
+  const std::string error = errorOf([&] { archive::retrieve(server, {"1.2", "1.2.3"}, cache); });
+  EXPECT_EQ(cache.bytes(), 0u) << "nothing half-written stays";
+  return error;
 }
 
 /// The parts of a message that comes `step` bytes at a time; "FAILED" at its end when it is refused.
@@ -147,9 +178,16 @@ TEST(ArchiveWeb, OrthancHoldsFindsAndReturnsFiveStudies) {
   archive::WebServer elsewhere = server;
   elsewhere.url += "-not";
   EXPECT_NE(errorOf([&] { archive::echo(elsewhere); }).find("HTTP 404"), std::string::npos);
-  archive::WebServer plain = archive::parseWebServer("http://archive.example/dicom-web").value();
-  plain.secret = archive::Secret("token");
-  EXPECT_NE(errorOf([&] { archive::echo(plain); }).find("in clear"), std::string::npos);
+}
+
+TEST(ArchiveWeb, SendsNoSecretInClear) {
+  for (const char* address : {"http://archive.example/dicom-web", "http://127.archive.example/dicom-web",
+                              "http://localhost.example:8042", "http://128.0.0.1"}) {
+    archive::WebServer plain = archive::parseWebServer(address).value();
+    plain.secret = archive::Secret("token");
+    EXPECT_NE(errorOf([&] { archive::echo(plain); }).find("in clear"), std::string::npos) << address;
+  }
+  EXPECT_FALSE(archive::parseWebServer("http://localhost:80@archive.example/"));
 }
 
 TEST(ArchiveWeb, ResumesAfterACutConnection) {
@@ -208,7 +246,7 @@ TEST(ArchiveWeb, TrustsOnlyCertificatesOfTheAuthoritiesNamed) {
 
 TEST(ArchiveWebAnswers, BrokenOnesGiveOneSentence) {
   const auto errorFor = [](const std::string& answer) {
-    const Answering answering(answer);
+    const Answering answering([&](const std::string&) { return answer; });
     archive::WebServer server = answering.server();
     server.limits.answerBytes = 100'000;
     return errorOf([&] { archive::find(server, {}); });
@@ -230,6 +268,27 @@ TEST(ArchiveWebAnswers, BrokenOnesGiveOneSentence) {
     EXPECT_NE(error.find(sentence), std::string::npos) << answer.substr(0, 60) << ": " << error;
     EXPECT_EQ(error.find('\n'), std::string::npos);
   }
+}
+
+TEST(ArchiveWebAnswers, FillNeitherMemoryNorDisk) {
+  archive::Limits limits;
+  limits.answerBytes = 10'000;
+  limits.objectBytes = 8'000;
+  const std::string failure = answerOf("500 Internal Server Error", "text/plain", std::string(20'000, 'x'));
+  EXPECT_NE(errorOfRetrieving(failure, limits).find("more than an answer may hold"), std::string::npos);
+  const auto message = [](std::size_t bytes) {
+    return answerOf("200 OK", "multipart/related; boundary=b", "--b\r\n\r\n" + std::string(bytes, 'x') + "\r\n--b--");
+  };
+  EXPECT_NE(errorOfRetrieving(message(9'000), limits).find("more than an object may hold"), std::string::npos);
+  EXPECT_NE(errorOfRetrieving(message(7'000), limits).find("did not come"), std::string::npos);
+}
+
+TEST(ArchiveWebAnswers, ComeOnceFromAServerWithoutPages) {
+  const Answering answering([](const std::string&) { return answerWithObjects(1000); });
+  const archive::Answers answers = archive::find(
+      answering.server(), {archive::Level::Image, {{"StudyInstanceUID", "1.2"}, {"SeriesInstanceUID", "1.2.3"}}});
+  EXPECT_EQ(answers.records.size(), 1000u);
+  EXPECT_TRUE(answers.complete);
 }
 
 TEST(ArchiveWebAnswers, AreMatchedWhereTheServerCannot) {
