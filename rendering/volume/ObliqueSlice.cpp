@@ -1,0 +1,66 @@
+#include "rendering/volume/ObliqueSlice.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace fenestra {
+namespace {
+
+/// Most pixels along a side, where the caller names no size of a pixel: a volume of 1 mm slices of 1 µm pixels would
+/// fill the memory otherwise.
+constexpr double largestSide = 4096.0;
+
+}  // namespace
+
+PlaneAxes planeAxes(const Grid& grid, SlicePlane plane) {
+  const SliceGeometry geometry = sliceGeometry(grid, plane);
+  PlaneAxes axes;
+  axes.right = glm::normalize(geometry.right);
+  axes.down = glm::normalize(geometry.down - glm::dot(geometry.down, axes.right) * axes.right);
+  const glm::dvec3 normal = glm::cross(axes.right, axes.down);
+  axes.normal = glm::dot(normal, geometry.normal) < 0.0 ? -normal : normal;
+  return axes;
+}
+
+double voxelLength(const Grid& grid, glm::dvec3 direction) {
+  const glm::dvec3 voxelsPerMm = glm::abs(glm::dmat3(grid.indexFromWorld()) * direction);
+  return 1.0 / std::max({voxelsPerMm.x, voxelsPerMm.y, voxelsPerMm.z});
+}
+
+SliceGeometry obliqueGeometry(const Grid& grid, SlicePlane plane, const PlaneAxes& axes, glm::dvec3 through,
+                              std::optional<double> pixel) {
+  const glm::dmat3 fromPatient = glm::transpose(glm::dmat3(axes.right, axes.down, axes.normal));
+  // The volume's box along the axes, in mm from `through`.
+  glm::dvec3 low(std::numeric_limits<double>::infinity()), high = -low;
+  for (int corner = 0; corner < 8; ++corner) {
+    const glm::dvec3 index = glm::dvec3(corner & 1, corner >> 1 & 1, corner >> 2) * glm::dvec3(grid.dims) - 0.5;
+    const glm::dvec3 place = fromPatient * (glm::dvec3(grid.worldFromIndex() * glm::dvec4(index, 1.0)) - through);
+    low = glm::min(low, place);
+    high = glm::max(high, place);
+  }
+
+  const double finest = std::min(voxelLength(grid, axes.right), voxelLength(grid, axes.down));
+  const double coarsest = std::max(high.x - low.x, high.y - low.y) / largestSide;
+  const double side = pixel.value_or(std::max(finest, coarsest));
+  const glm::dvec3 step(side, side, voxelLength(grid, axes.normal));
+  // A pixel reaches half a step beyond its centre. Rounding adds no pixel to a box that ends there.
+  constexpr double rounding = 1e-6;
+  const glm::dvec3 first = glm::min(glm::ceil(low / step - 0.5 + rounding), glm::dvec3(0.0));
+  const glm::dvec3 last = glm::max(glm::floor(high / step + 0.5 - rounding), glm::dvec3(0.0));
+  const glm::ivec3 counts(last - first + 1.0);
+
+  SliceGeometry geometry;
+  geometry.plane = plane;
+  geometry.axis = -1;
+  geometry.width = counts.x;
+  geometry.height = counts.y;
+  geometry.count = counts.z;
+  geometry.right = axes.right * step.x;
+  geometry.down = axes.down * step.y;
+  geometry.normal = axes.normal * step.z;
+  geometry.origin = through + first.x * geometry.right + first.y * geometry.down + first.z * geometry.normal;
+  return geometry;
+}
+
+}  // namespace fenestra
