@@ -36,6 +36,7 @@
 #include "viewer/model/PatientLines.h"
 #include "viewer/panels/CamerasPanel.h"
 #include "viewer/panels/FileDialog.h"
+#include "viewer/panels/SeriesPanel.h"
 #include "viewer/style/FocusRing.h"
 #include "viewer/style/Style.h"
 #include "viewer/views/ViewArea.h"
@@ -43,7 +44,7 @@
 namespace fenestra::viewer {
 namespace {
 
-constexpr int layoutVersion = 4;  ///< of docks and toolbars; layouts saved with another version are ignored
+constexpr int layoutVersion = 5;  ///< of docks and toolbars; layouts saved with another version are ignored
 
 /// Adds what the window derives from the voxels. Runs in the background, after the study was read.
 void prepare(io::Study& study) {
@@ -297,10 +298,17 @@ void MainWindow::closeEvent(QCloseEvent* event) {
 }
 
 void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
-  if (!localPaths(*event->mimeData()).empty()) event->acceptProposedAction();
+  if (!localPaths(*event->mimeData()).empty() || !SeriesPanel::seriesOf(*event->mimeData()).isEmpty())
+    event->acceptProposedAction();
 }
 
 void MainWindow::dropEvent(QDropEvent* event) {
+  if (const QString series = SeriesPanel::seriesOf(*event->mimeData()); !series.isEmpty()) {
+    event->acceptProposedAction();
+    // Opened from the event loop: the drag goes on until the drop has ended, and opening may ask.
+    QTimer::singleShot(0, panels_.series, [this, series] { panels_.series->choose(series); });
+    return;
+  }
   const std::vector<std::filesystem::path> paths = localPaths(*event->mimeData());
   if (paths.empty()) return;
   event->acceptProposedAction();

@@ -4,6 +4,9 @@
 #include <cmath>
 #include <memory>
 
+#include <QDockWidget>
+#include <QTreeWidget>
+
 #include "viewer/MainWindow.h"
 #include "viewer/actions/MeasureMenu.h"
 #include "viewer/actions/StructureMenu.h"
@@ -18,6 +21,7 @@
 #include "viewer/panels/FocusPanel.h"
 #include "viewer/panels/LabelEditPanel.h"
 #include "viewer/panels/RegionPanel.h"
+#include "viewer/panels/SeriesPanel.h"
 #include "viewer/panels/StrokeList.h"
 #include "viewer/views/PlacementRenderer.h"
 #include "viewer/views/PreviewRenderer.h"
@@ -88,6 +92,13 @@ void MainWindow::askToOpenRegion() {
 }
 
 void MainWindow::connectPanels() {
+  connect(panels_.series, &SeriesPanel::chosen, files_,
+          [this](const QString& series) { files_->openSeries(series.toStdString()); });
+  connect(files_, &FileOpener::seriesWanted, panels_.seriesDock, [this] {
+    panels_.seriesDock->show();
+    panels_.seriesDock->raise();
+    panels_.series->list()->setFocus();
+  });
   connect(panels_.focus, &FocusPanel::structureChosen, this, &MainWindow::goToFocus);
   connect(panels_.focus->region(), &RegionPanel::kept, &labelEditor_, &LabelEditor::keepRegion);
   connect(panels_.focus->labelEdits(), &LabelEditPanel::edited, &labelEditor_, &LabelEditor::edit);

@@ -14,6 +14,7 @@
 #include "viewer/panels/CutawayPanel.h"
 #include "viewer/panels/FocusPanel.h"
 #include "viewer/panels/ScrollingPanel.h"
+#include "viewer/panels/SeriesPanel.h"
 
 namespace fenestra::viewer {
 namespace {
@@ -33,13 +34,16 @@ Panels makePanels(QMainWindow& window, Workspace& workspace) {
                 .cameras = new CamerasPanel(document, workspace.cameras, workspace.placement),
                 .brush = new BrushPanel(document, workspace.brush),
                 .clipping = new ClippingPanel(document, workspace.cursor, workspace.cameras),
-                .heights = nullptr};
-  const auto add = [&window](const QString& title, const char* name, QWidget* panel) {
+                .series = new SeriesPanel(document, workspace.options),
+                .heights = nullptr,
+                .seriesDock = nullptr};
+  const auto add = [&window](const QString& title, const char* name, QWidget* panel,
+                             Qt::DockWidgetArea area = Qt::RightDockWidgetArea) {
     auto* dock = new QDockWidget(title);
     dock->setObjectName(QLatin1String(name));
     dock->setFeatures(QDockWidget::DockWidgetMovable | QDockWidget::DockWidgetClosable);
     dock->setWidget(panel);
-    window.addDockWidget(Qt::RightDockWidgetArea, dock);
+    window.addDockWidget(area, dock);
     return dock;
   };
   window.setTabPosition(Qt::RightDockWidgetArea, QTabWidget::North);
@@ -64,6 +68,8 @@ Panels makePanels(QMainWindow& window, Workspace& workspace) {
   QDockWidget* cutaway = add(PanelsWords::tr("Cutaway"), "cutawayDock", panels.cutaway);
   panels.cutaway->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum);
   window.resizeDocks({focus}, {310}, Qt::Horizontal);
+  panels.seriesDock = add(PanelsWords::tr("Series"), "seriesDock", panels.series, Qt::LeftDockWidgetArea);
+  panels.seriesDock->hide();
   // The list of structures takes the remaining height.
   panels.heights = new DockHeights(window, {focus, context, cutaway});
   return panels;

@@ -1,6 +1,7 @@
 #pragma once
-// The panels, in docks to the right of the views.
+// The panels, in docks beside the views.
 
+class QDockWidget;
 class QMainWindow;
 
 namespace fenestra::viewer {
@@ -13,6 +14,7 @@ class ContextLayerPanel;
 class CutawayPanel;
 class DockHeights;
 class FocusPanel;
+class SeriesPanel;
 struct Workspace;
 
 /// The window owns them.
@@ -24,10 +26,13 @@ struct Panels {
   CamerasPanel* cameras;
   BrushPanel* brush;
   ClippingPanel* clipping;
+  SeriesPanel* series;
   DockHeights* heights;
+  QDockWidget* seriesDock;
 };
 
-/// Makes the panels and docks them in the window.
+/// Makes the panels and docks them in the window: the list of series on the left, where it is hidden until it is asked
+/// for, all others on the right.
 Panels makePanels(QMainWindow& window, Workspace& workspace);
 
 }  // namespace fenestra::viewer

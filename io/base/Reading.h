@@ -120,6 +120,7 @@ struct SeriesInfo {
   std::string part;         ///< what tells it from others of its series, "echo time 4.92 ms"; empty: nothing
   int time = 0, times = 0;  ///< which of how many time points, from 1; 0: it is the only one
   std::string study;        ///< StudyDescription; may hold anything the operator typed
+  std::string studyUid;     ///< empty outside DICOM
   std::string date;         ///< of the series, or else of the study, YYYYMMDD; empty outside DICOM
 
   // What only DICOM says; of the first image.

@@ -39,6 +39,7 @@ SeriesInfo describe(const DicomStack& stack, const std::vector<DicomFile>& files
   info.modality = first.modality;
   info.description = first.description;
   info.study = first.study;
+  info.studyUid = first.studyUid;
   info.date = first.date;
   info.dims = stack.grid.dims;
   info.part = stack.part;

@@ -1,8 +1,10 @@
 // The window answers while it reads a long series, makes thumbnails and exports a turntable, which can be cancelled,
 // and while a transfer function is dragged and presets are shown.
 
+#include <QDockWidget>
 #include <QSignalSpy>
 #include <QTest>
+#include <QTreeWidget>
 
 #include "io/VolumeReader.h"
 #include "tests/gui/TimedApplication.h"
@@ -10,10 +12,10 @@
 #include "tests/io/DicomWriter.h"
 #include "tests/support/TestData.h"
 #include "viewer/bars/NoticeBar.h"
-#include "viewer/dialogs/SeriesChooser.h"
 #include "viewer/exports/PictureExports.h"
 #include "viewer/files/FileOpener.h"
 #include "viewer/panels/AppearancePanel.h"
+#include "viewer/panels/SeriesPanel.h"
 
 namespace fenestra::viewer::longTasksTest {
 namespace {
@@ -88,20 +90,18 @@ TEST_F(LongTasks, ThreeHundredSlicesAreReadWhileTheWindowAnswers) {
 TEST_F(LongTasks, ThumbnailsAreMadeWhileTheWindowAnswers) {
   for (int series = 0; series < 6; ++series)
     writeBall(folder_ / std::to_string(series), 256, 40, "1.2.4." + std::to_string(series + 1));
-  io::OpenedVolume opened = io::openVolume(folder_);
-  io::Study study;
-  study.series = std::move(opened.series);
-  study.otherSeries = std::move(opened.otherSeries);
-  ASSERT_EQ(study.otherSeries.size(), 5);
+  openFolder(folder_);
+  ASSERT_EQ(document().study().otherSeries.size(), 5);
+  auto* panel = window_->findChild<SeriesPanel*>();
   EXPECT_LE(longestBlock([&] {
-              SeriesChooser chooser(study);
-              chooser.show();
-              const auto hasPicture = [&](int row) {  // the place is held by a transparent one
-                const QIcon icon = chooser.list()->topLevelItem(row)->icon(0);
-                const QImage picture = icon.pixmap(chooser.list()->iconSize()).toImage();
+              window_->findChild<QDockWidget*>(QStringLiteral("seriesDock"))->show();
+              const auto hasPicture = [&](std::size_t row) {  // the place is held by a transparent one
+                const QIcon icon = panel->rows()[row]->icon(0);
+                const QImage picture = icon.pixmap(panel->list()->iconSize()).toImage();
                 return picture.pixelColor(picture.rect().center()).alpha() > 0;
               };
-              for (int row = 0; row < 6; ++row)
+              ASSERT_EQ(panel->rows().size(), 6);
+              for (std::size_t row = 0; row < 6; ++row)
                 ASSERT_TRUE(QTest::qWaitFor([&] { return hasPicture(row); }, patience)) << row;
             }),
             allowed);

@@ -13,7 +13,6 @@
 #include "tests/gui/WindowFixture.h"
 #include "tests/support/TestData.h"
 #include "viewer/bars/NoticeBar.h"
-#include "viewer/dialogs/SeriesChooser.h"
 #include "viewer/dialogs/SpacingDialog.h"
 #include "viewer/style/Style.h"
 
@@ -123,10 +122,11 @@ TEST_F(Screenshots, Notices) {
     views().setAwaits(false);
     waitUntilDrawn();
   }
-  SeriesChooser chooser(study, false, window_.get());
-  chooser.show();
+  auto* dock = window_->findChild<QDockWidget*>(QStringLiteral("seriesDock"));
+  dock->show();
   QTest::qWait(300);
-  save(chooser.grab().toImage(), QStringLiteral("series"));
+  save(window_->picture(MainWindow::Patient::Shown), QStringLiteral("series"));
+  dock->hide();
   SpacingDialog size(QStringLiteral("stack does not say how large its voxels are. Say it here:"), window_.get());
   size.show();
   QTest::qWait(100);

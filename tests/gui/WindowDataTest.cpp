@@ -19,6 +19,7 @@
 #include <QSignalSpy>
 #include <QTest>
 #include <QTimer>
+#include <QTreeWidget>
 #include <QUrl>
 
 #include "io/TransferFunctionFile.h"
@@ -33,6 +34,7 @@
 #include "viewer/panels/CamerasPanel.h"
 #include "viewer/panels/FocusPanel.h"
 #include "viewer/panels/LabelList.h"
+#include "viewer/panels/SeriesPanel.h"
 
 namespace fenestra::viewer::windowDataTest {
 namespace {
@@ -247,6 +249,47 @@ TEST_F(Window, TheNoteOnSeriesIsTrueOfEachOfThem) {
   const QString other = notesOf("1.2.3.3");
   EXPECT_TRUE(other.contains(two)) << other.toStdString();
   EXPECT_FALSE(other.contains(QStringLiteral("thinnest"))) << other.toStdString();
+}
+
+TEST_F(Window, TheListOfSeriesOpensAnother) {
+  const std::filesystem::path folder = tests::scratchFolder() / "two";
+  std::filesystem::create_directories(folder);
+  for (const int step : {1, 3})
+    for (int slice = 0; slice < 20; ++slice) {
+      tests::DicomSpec spec;
+      spec.series = "1.2.3." + std::to_string(step);
+      spec.instance = spec.series + "." + std::to_string(slice);
+      spec.columns = spec.rows = 16;
+      spec.position = glm::dvec3(0, 0, slice * step);
+      tests::writeDicom(folder / (std::to_string(step) + "-" + std::to_string(slice)), spec);
+    }
+  QSignalSpy opened(window_.get(), &MainWindow::opened);
+  window_->open(std::vector{folder});
+  ASSERT_TRUE(opened.wait(patience));
+  auto* dock = window_->findChild<QDockWidget*>(QStringLiteral("seriesDock"));
+  auto* panel = window_->findChild<SeriesPanel*>();
+  EXPECT_FALSE(dock->isVisible()) << "nobody has asked for it";
+  for (QAction* action : window_->findChildren<QAction*>())
+    if (action->text() == QStringLiteral("Choose &series…")) action->trigger();
+  ASSERT_TRUE(dock->isVisible());
+  ASSERT_EQ(panel->rows().size(), 2);
+
+  panel->list()->setCurrentItem(panel->rows()[1]);
+  QTest::keyClick(panel->list(), Qt::Key_Return);
+  ASSERT_TRUE(opened.wait(patience));
+  EXPECT_EQ(document().study().series.id, "1.2.3.3");
+  EXPECT_TRUE(panel->rows()[1]->font(0).bold());
+
+  QMimeData drag;
+  drag.setData(QStringLiteral("application/x-fenestra-series"), "1.2.3.1");
+  QDragEnterEvent enter(QPoint(600, 300), Qt::CopyAction, &drag, Qt::LeftButton, Qt::NoModifier);
+  QApplication::sendEvent(window_.get(), &enter);
+  EXPECT_TRUE(enter.isAccepted());
+  QDropEvent drop(QPointF(600, 300), Qt::CopyAction, &drag, Qt::LeftButton, Qt::NoModifier);
+  QApplication::sendEvent(window_.get(), &drop);
+  ASSERT_TRUE(opened.wait(patience));
+  EXPECT_EQ(document().study().series.id, "1.2.3.1");
+  waitUntilDrawn();
 }
 
 TEST_F(Window, TheMenuSaysWhatTheValuesAre) {

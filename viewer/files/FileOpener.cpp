@@ -13,7 +13,6 @@
 #include "io/study/ReadStudy.h"
 #include "viewer/bars/NoticeBar.h"
 #include "viewer/bars/StudyDialogs.h"
-#include "viewer/dialogs/SeriesChooser.h"
 #include "viewer/dialogs/SpacingDialog.h"
 #include "viewer/files/Sessions.h"
 #include "viewer/model/Paths.h"
@@ -43,7 +42,6 @@ FileOpener::FileOpener(QWidget& window, Workspace& workspace, StudyLoader& loade
       document_(workspace.document),
       preferences_(workspace.preferences),
       cameras_(workspace.cameras),
-      options_(workspace.options),
       loader_(loader),
       sessions_(sessions),
       notices_(notices) {}
@@ -143,13 +141,6 @@ void FileOpener::chooseVoxelSize() {
   chosen.series = study.series.id;
   chosen.spacing = ask.spacing();
   load(chosen);
-}
-
-void FileOpener::chooseSeries() {
-  SeriesChooser chooser(document_.study(), options_.hidesPatient(), &window_);
-  markAsStudyDialog(chooser);
-  if (chooser.exec() != QDialog::Accepted) return;
-  if (const std::optional<std::string> series = chooser.chosen()) openSeries(*series);
 }
 
 std::vector<std::filesystem::path> localPaths(const QMimeData& data) {

@@ -26,7 +26,6 @@ class NoticeBar;
 class Preferences;
 class Sessions;
 class ViewLink;
-class ViewOptions;
 struct Workspace;
 
 class FileOpener : public QObject {
@@ -52,10 +51,15 @@ class FileOpener : public QObject {
   void chooseLabelTable();
   /// Asks how large the voxels of the open study are, which its file may not say, and opens it anew.
   void chooseVoxelSize();
-  void chooseSeries();
+  /// Asks for the list of series, where the user chooses one.
+  void chooseSeries() { Q_EMIT seriesWanted(); }
+  /// Opens another series of what is open, by its id.
+  void openSeries(const std::string& series);
+
+ Q_SIGNALS:
+  void seriesWanted();
 
  private:
-  void openSeries(const std::string& series);
   /// Reads data and shows them; asks for the size of voxels where the file does not say it.
   void load(const io::DataRequest& data);
   /// Reads data, in the chosen look and with the user's own defaults; see SettingOwners.h.
@@ -65,7 +69,6 @@ class FileOpener : public QObject {
   Document& document_;
   const Preferences& preferences_;
   const ViewLink& cameras_;
-  const ViewOptions& options_;
   StudyLoader& loader_;
   Sessions& sessions_;
   NoticeBar& notices_;
