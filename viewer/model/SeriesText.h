@@ -17,8 +17,8 @@ QString seriesTitle(const io::SeriesInfo& series, SeriesNames names);
 /// "CT · 1.5 mm, every 1 mm · B30f": kind, thickness, reconstruction kernel; only what is known.
 QString seriesKind(const io::SeriesInfo& series);
 
-/// "2021-02-03 · Thorax": date and description of the study; "Study 2", with `number` 2, where names are hidden or there
-/// are none.
+/// "2021-02-03 · Thorax": date and description of the study; "Study 2", with `number` 2, where names are hidden or
+/// there are none.
 QString studyTitle(const io::SeriesInfo& series, SeriesNames names, int number);
 
 }  // namespace fenestra::viewer

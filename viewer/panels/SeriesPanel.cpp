@@ -84,9 +84,7 @@ void SeriesPanel::choose(const QString& series) {
 
 SeriesPanel::~SeriesPanel() = default;
 
-QString SeriesPanel::seriesOf(const QMimeData& data) {
-  return QString::fromUtf8(data.data(QLatin1String(seriesMime)));
-}
+QString SeriesPanel::seriesOf(const QMimeData& data) { return QString::fromUtf8(data.data(QLatin1String(seriesMime))); }
 
 std::vector<QTreeWidgetItem*> SeriesPanel::rows() const {
   std::vector<QTreeWidgetItem*> rows;
@@ -139,9 +137,7 @@ QTreeWidgetItem* SeriesPanel::parentOf(const io::SeriesInfo& series) const {
                  [&](int number) { return studyTitle(series, names(), number); });
 }
 
-SeriesNames SeriesPanel::names() const {
-  return options_.hidesPatient() ? SeriesNames::Hidden : SeriesNames::Shown;
-}
+SeriesNames SeriesPanel::names() const { return options_.hidesPatient() ? SeriesNames::Hidden : SeriesNames::Shown; }
 
 void SeriesPanel::addRow(const io::SeriesInfo& series, QTreeWidgetItem* parent) {
   const QString title = seriesTitle(series, names()), kind = seriesKind(series);
