@@ -1,144 +1,153 @@
 // The kernel of thick slices, in the namespace FENESTRA_SLAB_KERNEL. SlabKernels.cpp includes this once for each kind
 // of processor, each time compiled for its instructions; hence no guard against a second inclusion.
 //
-// It walks the lines of neighbouring pixels from cell to cell, one in each lane of a vector. All lines are parallel.
+// It walks the lines of neighbouring pixels from cell to cell, one in each lane of a vector.
 
 namespace fenestra::FENESTRA_SLAB_KERNEL {
 
-template <class Real>
+template <class T>
 struct Lanes;
 template <>
-struct Lanes<float> {
+struct Lanes<std::int16_t> {
   static constexpr int count = 8;
+  using Real = float;  ///< holds 16 bits with 8 to spare
   using Whole = std::int32_t;
-  typedef float Numbers __attribute__((vector_size(32)));
-  typedef std::int32_t Wholes __attribute__((vector_size(32)));
+  typedef Real Numbers __attribute__((vector_size(32)));
+  typedef Whole Wholes __attribute__((vector_size(32)));
 };
 template <>
 struct Lanes<double> {
   static constexpr int count = 4;
+  using Real = double;
   using Whole = std::int64_t;
-  typedef double Numbers __attribute__((vector_size(32)));
-  typedef std::int64_t Wholes __attribute__((vector_size(32)));
-};
-
-/// The lines of some pixels beside one another, within one piece of their length.
-template <class Real>
-struct LaneStart {
-  static constexpr int count = Lanes<Real>::count;
-  typename Lanes<Real>::Numbers fraction[3];       ///< position within the first cell
-  typename Lanes<Real>::Numbers crossing[3];       ///< mm to the first crossing into the next cell of each axis
-  typename Lanes<Real>::Wholes least[3], most[3];  ///< the volume's cells of whole voxels, counted from the first cell
-  typename Lanes<Real>::Numbers length;            ///< mm
-  std::ptrdiff_t offset[count];                    ///< of the first cell's voxel; may lie outside the volume
+  typedef Real Numbers __attribute__((vector_size(32)));
+  typedef Whole Wholes __attribute__((vector_size(32)));
 };
 
 template <class T, bool mean>
 struct LineWalk {
-  using Real = std::conditional_t<sizeof(T) <= 2, float, double>;
-  using Numbers = typename Lanes<Real>::Numbers;
-  using Wholes = typename Lanes<Real>::Wholes;
-  static constexpr int count = Lanes<Real>::count;
+  using Real = typename Lanes<T>::Real;
+  using Whole = typename Lanes<T>::Whole;
+  using Numbers = typename Lanes<T>::Numbers;
+  using Wholes = typename Lanes<T>::Wholes;
+  static constexpr int count = Lanes<T>::count;
+  static constexpr Real never = Real(1e30);
 
-  const SlabJob& job;
-  double position[3][count];        ///< where the lines cross the slice
-  double begin[count], end[count];  ///< their parts within the volume, mm from the slice; begin > end: none
-  Numbers extreme = {};
-  double sum[count] = {}, length[count] = {};
+  const SlabLines& lines;
+  const SlabBox& box;
+  const T* voxels = static_cast<const T*>(box.voxels);
+  Real along[3], perVoxel[3];  ///< voxels a mm, and mm a voxel; 0 where the lines do not follow the axis
+  // Of the lines of this batch, within this piece:
+  Numbers fraction[3] = {};  ///< position at the start, counted from the first cell
+  Numbers crossing[3] = {};  ///< mm from the start to the next crossing into the neighbour along each axis
+  Numbers length = {};       ///< mm
+  Wholes offset = {};        ///< of the cell's first voxel
+  Numbers extreme = {}, sum = {}, passed = {};
 
-  explicit LineWalk(const SlabJob& of) : job(of) { extreme -= std::numeric_limits<Real>::infinity(); }
+  LineWalk(const SlabLines& l, const SlabBox& b) : lines(l), box(b) {
+    for (int axis = 0; axis < 3; ++axis) {
+      along[axis] = static_cast<Real>(lines.along[axis]);
+      perVoxel[axis] = static_cast<Real>(lines.along[axis] == 0.0 ? 0.0 : 1.0 / std::abs(lines.along[axis]));
+    }
+  }
 
   static bool any(const Wholes& mask) {
-    typename Lanes<Real>::Whole all = 0;
+#ifdef FENESTRA_SLAB_AVX2
+    if constexpr (sizeof(Whole) == 4)
+      return _mm256_movemask_ps((__m256)mask) != 0;
+    else
+      return _mm256_movemask_pd((__m256d)mask) != 0;
+#endif
+    Whole all = 0;
     for (int lane = 0; lane < count; ++lane) all |= mask[lane];
     return all != 0;
   }
 
-  /// The lines of pixels (i + lane, j); those beyond `right` repeat the last.
-  void clip(int i, int j, int right) {
-    for (int lane = 0; lane < count; ++lane) {
-      const int column = i + lane < right ? i + lane : right - 1;
-      begin[lane] = -job.half;
-      end[lane] = job.half;
-      for (int axis = 0; axis < 3; ++axis) {
-        const double at = job.first[axis] + column * job.right[axis] + j * job.down[axis];
-        position[axis][lane] = at;
-        const double low = -0.5 - at, high = job.dims[axis] - 0.5 - at;
-        if (job.along[axis] == 0.0) {
-          if (!(low <= 0.0 && high >= 0.0)) end[lane] = -std::numeric_limits<double>::infinity();
-          continue;
+  /// The lines of pixels (i + lane, j); those from `right` on repeat the last. False when none meets the volume.
+  bool start(int i, int j, int right, double from, double to) {
+    double at[3][count], begin[count], end[count];
+    for (int lane = 0; lane < count; ++lane) begin[lane] = from, end[lane] = to;
+    for (int axis = 0; axis < 3; ++axis) {
+      const double row = lines.first[axis] + j * lines.down[axis];
+      for (int lane = 0; lane < count; ++lane)
+        at[axis][lane] = row + (i + lane < right ? i + lane : right - 1) * lines.right[axis];
+      if (lines.along[axis] == 0.0) {
+        for (int lane = 0; lane < count; ++lane) {
+          const bool isInside = at[axis][lane] >= lines.low[axis] && at[axis][lane] <= lines.high[axis];
+          end[lane] = isInside ? end[lane] : from;
         }
-        const double a = low / job.along[axis], b = high / job.along[axis];
-        const double from = a < b ? a : b, to = a < b ? b : a;
-        begin[lane] = from > begin[lane] ? from : begin[lane];
-        end[lane] = to < end[lane] ? to : end[lane];
+        continue;
+      }
+      const double mm = 1.0 / lines.along[axis];
+      for (int lane = 0; lane < count; ++lane) {
+        const double a = (lines.low[axis] - at[axis][lane]) * mm, b = (lines.high[axis] - at[axis][lane]) * mm;
+        const double first = a < b ? a : b, last = a < b ? b : a;
+        begin[lane] = first > begin[lane] ? first : begin[lane];
+        end[lane] = last < end[lane] ? last : end[lane];
       }
     }
-  }
+    for (int lane = 0; lane < count; ++lane)
+      length[lane] = static_cast<Real>(begin[lane] < end[lane] ? end[lane] - begin[lane] : 0.0);
+    if (!any(length > Numbers{})) return false;
 
-  /// False when all lines have ended before `piece`.
-  bool startPiece(int piece, LaneStart<Real>& start) const {
-    bool isAny = false;
-    for (int lane = 0; lane < count; ++lane) {
-      double from = begin[lane] + piece * job.piece, to = from + job.piece;
-      to = to < end[lane] ? to : end[lane];
-      isAny = isAny || from < to;
-      // A line that has ended, or never met the volume, stays at a place that may be read.
-      if (!(from < to)) from = to = begin[lane] <= end[lane] ? end[lane] : 0.0;
-      start.length[lane] = static_cast<Real>(to - from);
-      start.offset[lane] = 0;
-      for (int axis = 0; axis < 3; ++axis) {
-        const double along = job.along[axis], at = position[axis][lane] + from * along;
-        // The cell that the line goes into. The half voxel before the first centre is the cell -1.
-        double cell = along < 0.0 ? std::ceil(at) - 1.0 : std::floor(at);
-        cell = cell < job.dims[axis] - 1 ? cell : job.dims[axis] - 1;
-        cell = cell > -1.0 ? cell : -1.0;
-        const auto whole = static_cast<std::ptrdiff_t>(cell);
-        const double within = at - cell;
-        start.fraction[axis][lane] = static_cast<Real>(within);
-        const double ahead = along < 0.0 ? within : 1.0 - within;
-        start.crossing[axis][lane] = static_cast<Real>(along == 0.0 ? never : ahead / std::abs(along));
-        const std::ptrdiff_t last = job.dims[axis] > 1 ? job.dims[axis] - 2 : 0;
-        start.least[axis][lane] = static_cast<typename Lanes<Real>::Whole>(-whole);
-        start.most[axis][lane] = static_cast<typename Lanes<Real>::Whole>(last - whole);
-        start.offset[lane] += whole * job.strides[axis];
+    offset = Wholes{};
+    const Whole strides[3] = {1, box.row, box.plane};
+    for (int axis = 0; axis < 3; ++axis) {
+      const bool descends = lines.along[axis] < 0.0;
+      for (int lane = 0; lane < count; ++lane) {
+        const double position = at[axis][lane] + begin[lane] * lines.along[axis] - box.first[axis];
+        // A line that misses the volume stays at a place that may be read.
+        const double held = begin[lane] < end[lane] ? position : 1.0;
+        // The cell that the line goes into: at a border, the one behind it.
+        auto cell = static_cast<Whole>(static_cast<std::int32_t>(held));
+        if (descends && static_cast<double>(cell) == held) --cell;
+        const double within = held - static_cast<double>(cell);
+        fraction[axis][lane] = static_cast<Real>(within);
+        crossing[axis][lane] = static_cast<Real>(descends ? within : 1.0 - within);
+        offset[lane] += cell * strides[axis];
       }
+      if (along[axis] == 0)
+        crossing[axis] = Numbers{} + never;
+      else
+        crossing[axis] *= perVoxel[axis];
     }
-    return isAny;
+    return true;
   }
 
   /// Two voxels beside one another along x, in each lane.
-  [[gnu::always_inline]] void load(const T* const* corners, std::ptrdiff_t further, Numbers& low, Numbers& high) const {
-    if constexpr (sizeof(T) == 2)
-      if (job.strides[0] == 1) {
-        // Both voxels are read at once.
-        Wholes pairs;
-        for (int lane = 0; lane < count; ++lane) {
-          std::int32_t pair;
-          std::memcpy(&pair, corners[lane] + further, sizeof(pair));
-          pairs[lane] = pair;
-        }
-        constexpr int unsignedBits = std::is_signed_v<T> ? -1 : 0xffff;
-        low = __builtin_convertvector(((pairs << 16) >> 16) & unsignedBits, Numbers);
-        high = __builtin_convertvector((pairs >> 16) & unsignedBits, Numbers);
-        return;
+  [[gnu::always_inline]] void load(int further, Numbers& low, Numbers& high) const {
+    const T* const first = voxels + further;
+    if constexpr (sizeof(T) == 2) {
+      // Both voxels are read at once.
+      Wholes pairs;
+#ifdef FENESTRA_SLAB_AVX2
+      pairs = (Wholes)_mm256_i32gather_epi32(reinterpret_cast<const int*>(first), (__m256i)offset, 2);
+#else
+      for (int lane = 0; lane < count; ++lane) {
+        std::int32_t pair;
+        std::memcpy(&pair, first + offset[lane], sizeof(pair));
+        pairs[lane] = pair;
       }
-    for (int lane = 0; lane < count; ++lane) {
-      low[lane] = static_cast<Real>(corners[lane][further]);
-      high[lane] = static_cast<Real>(corners[lane][further + job.strides[0]]);
+#endif
+      low = __builtin_convertvector((pairs << 16) >> 16, Numbers);
+      high = __builtin_convertvector(pairs >> 16, Numbers);
+    } else {
+      for (int lane = 0; lane < count; ++lane) {
+        low[lane] = first[offset[lane]];
+        high[lane] = first[offset[lane] + 1];
+      }
     }
   }
 
   /// The Bernstein coefficients of the field along the lines, from their entries into a cell to their exits, whose
   /// positions within it are `in` and `out`.
-  [[gnu::always_inline]] void coefficients(const T* const* corners, const Numbers (&in)[3], const Numbers (&out)[3],
-                                           Numbers (&b)[4]) const {
+  [[gnu::always_inline]] void coefficients(const Numbers (&in)[3], const Numbers (&out)[3], Numbers (&b)[4]) const {
     Numbers planes[2][2][2];  // [z of the voxels][x in, out][y in, out]
     for (int z = 0; z < 2; ++z) {
       Numbers rows[2][2];  // [y of the voxels][x in, out]
       for (int y = 0; y < 2; ++y) {
         Numbers low, high;
-        load(corners, y * job.strides[1] + z * job.strides[2], low, high);
+        load(y * box.row + z * box.plane, low, high);
         const Numbers rise = high - low;
         rows[y][0] = low + in[0] * rise;
         rows[y][1] = low + out[0] * rise;
@@ -170,107 +179,97 @@ struct LineWalk {
     if (any(high > extreme)) raiseWithin(b);
   }
 
-  void raiseWithin(const Numbers (&b)[4]) {
-    for (int lane = 0; lane < count; ++lane) {
-      const Real b0 = b[0][lane], b1 = b[1][lane], b2 = b[2][lane], b3 = b[3][lane];
-      if (!(b1 > extreme[lane] || b2 > extreme[lane])) continue;
-      // A third of the derivative, a·t² + 2·h·t + c, falls through zero where the cubic is greatest.
-      const Real d0 = b1 - b0, d1 = b2 - b1, d2 = b3 - b2;
-      const Real a = d0 - 2 * d1 + d2, h = d1 - d0, c = d0;
-      const Real squared = h * h - a * c;
-      if (!(squared >= 0)) continue;
-      const Real root = std::sqrt(squared);
-      const Real t = h >= 0 ? -(h + root) / a : c / (root - h);
-      if (!(t > 0 && t < 1)) continue;
-      const Real s = 1 - t;
-      const Real value = s * s * (s * b0 + 3 * t * b1) + t * t * (3 * s * b2 + t * b3);
-      if (value > extreme[lane]) extreme[lane] = value;
-    }
+  [[gnu::always_inline]] void raiseWithin(const Numbers (&b)[4]) {
+    // A third of the derivative, a·t² + 2·h·t + c, falls through zero where the cubic is greatest. Where it does not,
+    // another place of the line does no harm.
+    const Numbers zero = {}, one = zero + 1;
+    const Numbers d0 = b[1] - b[0], d1 = b[2] - b[1], d2 = b[3] - b[2];
+    const Numbers a = (d0 - d1) + (d2 - d1), h = d1 - d0, c = d0;
+    Numbers root = h * h - a * c;
+    root = root > zero ? root : zero;
+    squareRoot(root);
+    const Wholes rises = h >= zero;
+    Numbers t = (rises ? -(h + root) : c) / (rises ? a : root - h);
+    t = t > zero ? t : zero;
+    t = t < one ? t : one;
+    const Numbers s = one - t;
+    const Numbers value = s * s * (s * b[0] + 3 * t * b[1]) + t * t * (3 * s * b[2] + t * b[3]);
+    extreme = value > extreme ? value : extreme;
   }
 
-  void walkPiece(const LaneStart<Real>& start) {
-    const T* const voxels = static_cast<const T*>(job.voxels);
-    const Numbers zero = {}, one = zero + 1;
-    Numbers at = {}, sums = {}, lengths = {};
-    Numbers crossing[3] = {start.crossing[0], start.crossing[1], start.crossing[2]};
-    Wholes cell[3] = {};
-    const T* corners[count];
+  static void squareRoot(Numbers& of) {
+#ifdef FENESTRA_SLAB_AVX2
+    if constexpr (sizeof(Real) == 4)
+      of = (Numbers)_mm256_sqrt_ps((__m256)of);
+    else
+      of = (Numbers)_mm256_sqrt_pd((__m256d)of);
+#else
+    for (int lane = 0; lane < count; ++lane) of[lane] = std::sqrt(of[lane]);
+#endif
+  }
+
+  void walk() {
+    const Numbers zero = {};
+    const Real sign = static_cast<Real>(lines.sign);
+    const Whole steps[3] = {lines.along[0] < 0.0 ? -1 : 1, lines.along[1] < 0.0 ? -box.row : box.row,
+                            lines.along[2] < 0.0 ? -box.plane : box.plane};
+    Numbers at = {};
     while (true) {
       Numbers exit = crossing[0] < crossing[1] ? crossing[0] : crossing[1];
       exit = crossing[2] < exit ? crossing[2] : exit;
-      exit = start.length < exit ? start.length : exit;
-      Wholes offset = {};
+      exit = length < exit ? length : exit;
       Numbers in[3], out[3];
       for (int axis = 0; axis < 3; ++axis) {
-        // Beyond the outermost centres, the cell of whole voxels beside it is read at its border.
-        Wholes read = cell[axis] > start.least[axis] ? cell[axis] : start.least[axis];
-        read = read < start.most[axis] ? read : start.most[axis];
-        offset += read * static_cast<typename Lanes<Real>::Whole>(job.strides[axis]);
-        const Numbers base = start.fraction[axis] - __builtin_convertvector(read, Numbers);
-        const Real along = static_cast<Real>(job.along[axis]);
-        in[axis] = base + along * at;
-        out[axis] = base + along * exit;
-        for (Numbers* side : {&in[axis], &out[axis]}) {
-          *side = *side > zero ? *side : zero;
-          *side = *side < one ? *side : one;
-        }
+        // Rounding may leave a position outside its cell by a millionth, which does no harm.
+        in[axis] = fraction[axis] + along[axis] * at;
+        out[axis] = fraction[axis] + along[axis] * exit;
       }
-      for (int lane = 0; lane < count; ++lane) corners[lane] = voxels + (start.offset[lane] + offset[lane]);
       Numbers b[4];
-      coefficients(corners, in, out, b);
+      coefficients(in, out, b);
       if constexpr (mean) {
-        const Numbers all = b[0] + b[1] + b[2] + b[3], passed = exit - at;
+        const Numbers all = (b[0] + b[1]) + (b[2] + b[3]), way = exit - at;
         const Wholes isNumber = all == all;
-        sums += isNumber ? all * passed : zero;
-        lengths += isNumber ? passed : zero;
+        sum += isNumber ? all * way : zero;
+        passed += isNumber ? way : zero;
       } else {
-        const Real sign = static_cast<Real>(job.sign);
-        for (Numbers& value : b) value *= sign;
+        for (int k = 0; k < 4; ++k) b[k] *= sign;
         raise(b);
       }
       at = exit;
-      if (!any(at < start.length)) break;
+      if (!any(at < length)) break;
       for (int axis = 0; axis < 3; ++axis) {
         const Wholes crosses = crossing[axis] <= exit;
-        cell[axis] += job.along[axis] < 0.0 ? crosses : -crosses;
-        const Numbers next =
-            crossing[axis] + static_cast<Real>(job.along[axis] == 0.0 ? 0.0 : 1.0 / std::abs(job.along[axis]));
+        const Numbers next = crossing[axis] + perVoxel[axis],
+                      back = fraction[axis] - (along[axis] < 0 ? Real(-1) : Real(1));
+        offset += crosses & steps[axis];
         crossing[axis] = crosses ? next : crossing[axis];
+        fraction[axis] = crosses ? back : fraction[axis];
       }
     }
-    if constexpr (mean)
-      for (int lane = 0; lane < count; ++lane) {
-        sum[lane] += 0.25 * static_cast<double>(sums[lane]);
-        length[lane] += static_cast<double>(lengths[lane]);
-      }
   }
-
-  /// The result in a lane, real; NaN when its line meets nothing.
-  float result(int lane) const {
-    const double none = std::numeric_limits<double>::quiet_NaN();
-    if (!(begin[lane] <= end[lane])) return static_cast<float>(none);
-    double stored;
-    if constexpr (mean)
-      stored = length[lane] > 0.0 ? sum[lane] / length[lane] : none;
-    else
-      stored = std::isinf(extreme[lane]) && extreme[lane] < 0 ? none : job.sign * static_cast<double>(extreme[lane]);
-    return static_cast<float>(job.slope * stored + job.intercept);
-  }
-
-  static constexpr double never = 1e30;
 };
 
 template <class T, bool mean>
-void slabTile(const SlabJob& job, const SlabTile& tile) {
-  constexpr int count = LineWalk<T, mean>::count;
+void slabKernel(const SlabLines& lines, const SlabBox& box, const SlabTile& tile, double from, double to,
+                SlabSums& sums) {
+  using Walk = LineWalk<T, mean>;
+  Walk walk(lines, box);
+  const int width = tile.right - tile.left;
   for (int j = tile.top; j < tile.bottom; ++j)
-    for (int i = tile.left; i < tile.right; i += count) {
-      LineWalk<T, mean> walk(job);
-      walk.clip(i, j, tile.right);
-      LaneStart<typename LineWalk<T, mean>::Real> start;
-      for (int piece = 0; walk.startPiece(piece, start); ++piece) walk.walkPiece(start);
-      float* const values = job.values + static_cast<std::ptrdiff_t>(j) * job.width + i;
-      for (int lane = 0; lane < count && i + lane < tile.right; ++lane) values[lane] = walk.result(lane);
+    for (int i = tile.left; i < tile.right; i += Walk::count) {
+      if (!walk.start(i, j, tile.right, from, to)) continue;
+      walk.extreme = walk.sum = walk.passed = typename Walk::Numbers{};
+      walk.extreme -= std::numeric_limits<typename Walk::Real>::infinity();
+      walk.walk();
+      for (int lane = 0; lane < Walk::count && i + lane < tile.right; ++lane) {
+        if (!(walk.length[lane] > 0)) continue;
+        const int pixel = (j - tile.top) * width + i - tile.left + lane;
+        if constexpr (mean) {
+          sums.sum[pixel] += 0.25 * static_cast<double>(walk.sum[lane]);
+          sums.length[pixel] += static_cast<double>(walk.passed[lane]);
+        } else if (static_cast<double>(walk.extreme[lane]) > sums.extreme[pixel])
+          sums.extreme[pixel] = static_cast<double>(walk.extreme[lane]);
+      }
     }
 }
 
