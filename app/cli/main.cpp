@@ -20,6 +20,7 @@
 #include "app/WallOptions.h"
 #include "app/cli/ArchiveCommand.h"
 #include "app/cli/Commands.h"
+#include "app/cli/DeidentifyCommand.h"
 #include "app/cli/PlacementOptions.h"
 #include "app/cli/Report.h"
 #include "app/options/Completion.h"
@@ -242,6 +243,13 @@ Runnable addArchive(app::Program& program, ArchiveOptions& options) {
   return {command, nullptr, [&] { return archive(options); }};
 }
 
+Runnable addDeidentify(app::Program& program, DeidentifyOptions& options) {
+  const app::Command command = program.addCommand(
+      "deidentify", "copies DICOM objects without what names people; pixels and geometry stay as they are");
+  addDeidentifyOptions(command, options);
+  return {command, nullptr, [&] { return deidentify(options), true; }};
+}
+
 int main(int argc, char** argv) {
   app::Program program(
       "Fenestra without a window: looks into medical volumes and pictures them with an adaptive cutaway.\n"
@@ -259,11 +267,18 @@ int main(int argc, char** argv) {
   BenchmarkOptions benchmarkOptions;
   CompareOptions compareOptions;
   ArchiveOptions archiveOptions;
-  const std::array commands{addInfo(program, infoOptions),           addConvert(program, convertOptions),
-                            addSlice(program, sliceOptions),         addRender(program, renderOptions),
-                            addPlace(program, placeOptions),         addGrow(program, growOptions),
-                            addSurface(program, surfaceOptions),     addCompare(program, compareOptions),
-                            addBenchmark(program, benchmarkOptions), addArchive(program, archiveOptions)};
+  DeidentifyOptions deidentifyOptions;
+  const std::array commands{addInfo(program, infoOptions),
+                            addConvert(program, convertOptions),
+                            addSlice(program, sliceOptions),
+                            addRender(program, renderOptions),
+                            addPlace(program, placeOptions),
+                            addGrow(program, growOptions),
+                            addSurface(program, surfaceOptions),
+                            addCompare(program, compareOptions),
+                            addBenchmark(program, benchmarkOptions),
+                            addArchive(program, archiveOptions),
+                            addDeidentify(program, deidentifyOptions)};
   try {
     const app::Program::Parsed parsed = program.parse(argc, argv);
     if (parsed.exitCode) return *parsed.exitCode;

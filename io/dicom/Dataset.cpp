@@ -65,16 +65,24 @@ void refuseHostileHeader(const fs::path& path) {
   }
 }
 
-}  // namespace
-
-void loadHeader(const fs::path& path, DcmFileFormat& file) {
+/// All elements before `end`; `what` names them in the Error.
+void loadUntil(const fs::path& path, const DcmTagKey& end, const char* what, DcmFileFormat& file) {
   prepareDcmtk();
   refuseHostileHeader(path);
   const OFCondition loaded = file.loadFileUntilTag(OFFilename(path.c_str()), EXS_Unknown, EGL_noChange,
-                                                   DCM_MaxReadLength, ERM_autoDetect, DCM_FloatPixelData);
+                                                   DCM_MaxReadLength, ERM_autoDetect, end);
   if (loaded.bad())
-    throw Error(path, std::string("its DICOM header cannot be read (") + loaded.text() + ")",
+    throw Error(path, std::string("its DICOM ") + what + " cannot be read (" + loaded.text() + ")",
                 "the file is truncated or damaged");
+}
+
+}  // namespace
+
+void loadHeader(const fs::path& path, DcmFileFormat& file) { loadUntil(path, DCM_FloatPixelData, "header", file); }
+
+void loadObject(const fs::path& path, DcmFileFormat& file) {
+  loadUntil(path, DcmTagKey(DCM_PixelData.getGroup(), static_cast<Uint16>(DCM_PixelData.getElement() + 1)), "object",
+            file);
 }
 
 std::optional<PixelPlace> pixelsOf(DcmDataset& dataset, const fs::path& path) {

@@ -13,6 +13,9 @@ namespace fenestra::io {
 
 /// Everything before the pixel data. Throws Error when the file is no DICOM file, is damaged, or nests too deep.
 void loadHeader(const std::filesystem::path& path, DcmFileFormat& file);
+/// As loadHeader, with the pixel data, whose values stay in the file until they are asked for. What stands behind them is
+/// left out.
+void loadObject(const std::filesystem::path& path, DcmFileFormat& file);
 /// findPixels for a header that was loaded.
 std::optional<PixelPlace> pixelsOf(DcmDataset& dataset, const std::filesystem::path& path);
 /// How many frames the header describes, of the file's format and pixels. Throws Error when the file cannot hold them.

@@ -1,0 +1,128 @@
+#include "io/deidentify/Deidentify.h"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+#include <cerrno>
+#include <memory>
+#include <optional>
+
+#include "io/base/AtomicFile.h"
+#include "io/deidentify/Cleaner.h"
+#include "io/deidentify/Findings.h"
+#include "io/deidentify/Inputs.h"
+#include "io/deidentify/OutputFolder.h"
+#include "io/dicom/Dataset.h"
+#include "io/dicom/DicomValues.h"
+
+namespace fenestra::io::deidentify {
+namespace fs = std::filesystem;
+namespace {
+
+/// Writes the dataset as it was coded, with a new preamble and meta header. Throws Error.
+void writeObject(std::unique_ptr<DcmDataset> dataset, const fs::path& file, const fs::path& named) {
+  const E_TransferSyntax syntax = dataset->getOriginalXfer();
+  DcmFileFormat object(dataset.release(), OFFalse);
+  std::error_code failure;
+  fs::create_directories(file.parent_path(), failure);
+  errno = 0;
+  const OFCondition saved =
+      object.saveFile(OFFilename(file.c_str()), syntax, EET_UndefinedLength, EGL_withoutGL, EPD_noChange);
+  if (saved.good()) return;
+  const std::string cause = errno == 0 ? saved.text() : std::generic_category().message(errno);
+  throw Error(named, "cannot be written: " + cause, "choose a place with space that can be written to");
+}
+
+class Run {
+ public:
+  explicit Run(const Request& request) : request_(request) { outcome_.changes = Changes(request.values); }
+
+  Outcome operator()(const Progress& progress);
+
+ private:
+  void treat(const fs::path& file, const fs::path& named);
+  fs::path placeOf(const std::string& series, const std::string& instance);
+  void writeMap() const;
+
+  const Request& request_;
+  Outcome outcome_;
+  NewUids uids_;
+  Findings findings_;
+  std::optional<OutputFolder> output_;
+  std::map<fs::path, std::size_t> used_;  ///< places in the output, and how many objects have asked for each
+};
+
+Outcome Run::operator()(const Progress& progress) {
+  prepareDcmtk();
+  const Inputs inputs(request_.inputs, partOf(progress, 0.0, 0.1));
+  if (inputs.objects().empty())
+    throw Error(request_.inputs.front(), "holds no DICOM objects", "name DICOM files, or folders that hold some");
+  if (!request_.output.empty()) output_.emplace(request_.output, request_.inputs);
+  std::size_t done = 0;
+  for (const fs::path& file : inputs.objects()) {
+    const double fraction = static_cast<double>(done++) / static_cast<double>(inputs.objects().size());
+    if (progress && !progress(0.1 + 0.9 * fraction, "de-identifying")) throw Cancelled();
+    treat(file, inputs.named(file));
+  }
+  findings_.leaveOut("not DICOM", inputs.others());
+  findings_.leaveOut("listed in the DICOMDIR, but missing", inputs.missing());
+  if (outcome_.objects == 0)
+    throw Error(request_.inputs.front(),
+                "holds no DICOM object that can be de-identified (" + findings_.firstReason() + ")",
+                "name other files");
+  if (!request_.map.empty()) writeMap();
+  if (output_) output_->finish();
+  outcome_.leftOut = findings_.leftOut();
+  outcome_.warnings = findings_.warnings();
+  return std::move(outcome_);
+}
+
+void Run::treat(const fs::path& file, const fs::path& named) {
+  DcmFileFormat loaded;
+  try {
+    loadObject(file, loaded);
+  } catch (const Error& error) {
+    return findings_.leaveOut(error.cause(), {named});
+  }
+  const std::string refusal = refusalOf(loaded);
+  if (!refusal.empty()) return findings_.leaveOut(refusal, {named});
+  findings_.notice(*loaded.getDataset(), named);
+  std::unique_ptr<DcmDataset> dataset(loaded.getAndRemoveDataset());
+  Cleaner(request_.options, uids_, outcome_.changes).clean(*dataset);
+  const std::string series = textOf(*dataset, DCM_SeriesInstanceUID), instance = textOf(*dataset, DCM_SOPInstanceUID);
+  if (output_) writeObject(std::move(dataset), placeOf(series, instance), request_.output);
+  ++outcome_.objects;
+  ++outcome_.series[series];
+}
+
+/// UIDs that are kept come from the file: they name a path only where they are made of digits and points.
+fs::path Run::placeOf(const std::string& series, const std::string& instance) {
+  const auto plain = [](const std::string& uid) {
+    const bool isPlain = !uid.empty() && uid.size() <= 64 &&
+                         uid.find_first_not_of("0123456789.") == std::string::npos && uid.front() != '.';
+    return isPlain ? uid : std::string("no-uid");
+  };
+  const fs::path folder = output_->place() / plain(series);
+  const std::size_t others = used_[folder / plain(instance)]++;
+  std::string name = plain(instance);
+  if (others > 0) name.append("-").append(std::to_string(others + 1));
+  return folder / name.append(".dcm");
+}
+
+void Run::writeMap() const {
+  std::string text = "old\tnew\n";
+  for (const auto& [old, replaced] : uids_.all()) text += old + '\t' + replaced + '\n';
+  writeAtomically(request_.map, [&](const fs::path& temporary) {
+    const int descriptor = ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, S_IRUSR | S_IWUSR);
+    if (descriptor < 0) failToWrite(temporary);
+    const ssize_t written = ::write(descriptor, text.data(), text.size());
+    const bool closed = ::close(descriptor) == 0;
+    if (!closed || written != static_cast<ssize_t>(text.size())) failToWrite(temporary);
+  });
+}
+
+}  // namespace
+
+Outcome deidentify(const Request& request, const Progress& progress) { return Run(request)(progress); }
+
+}  // namespace fenestra::io::deidentify
