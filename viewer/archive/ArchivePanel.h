@@ -39,6 +39,8 @@ class ArchivePanel : public QWidget {
   SearchForm& form() { return *form_; }
   ArchiveModel& model() { return *model_; }
   QTreeView& results() { return *results_; }
+  /// The server that the model's tree is from, by its entry's id.
+  void setFoundAt(const QString& id) { found_ = id; }
   /// What the panel says of the last search or test.
   QString status() const;
   bool isBusy() const { return job_.isRunning() || seriesJob_.isRunning(); }
