@@ -17,9 +17,7 @@ namespace {
 class LongestGap {
  public:
   LongestGap() {
-    QObject::connect(&timer_, &QTimer::timeout, [this] {
-      longest_ = std::max(longest_, since_.restart());
-    });
+    QObject::connect(&timer_, &QTimer::timeout, [this] { longest_ = std::max(longest_, since_.restart()); });
     since_.start();
     timer_.start(1);
   }

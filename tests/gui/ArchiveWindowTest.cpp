@@ -1,6 +1,9 @@
 // The Archive dock against real servers: what is found, retrieved and opened, what is said when something is wrong, and
 // that nothing of it is kept but the objects.
 
+#include <QDir>
+#include <QElapsedTimer>
+#include <QLabel>
 #include <QLineEdit>
 #include <QSettings>
 #include <QTest>
@@ -12,7 +15,7 @@
 #include "tests/gui/ArchiveWindow.h"
 #include "tests/io/IoTesting.h"
 #include "viewer/archive/CacheRow.h"
-#include "viewer/bars/NoticeBar.h"
+#include "viewer/files/Sessions.h"
 #include "viewer/model/Paths.h"
 
 namespace fenestra::viewer::archiveWindowTest {
@@ -27,9 +30,9 @@ std::vector<fs::path> filesOf(const std::vector<tests::MadeStudy>& studies) {
   return io::archive::filesToSend(folders);
 }
 
-#define FENESTRA_DCMQRSCP(running)                         \
-  FENESTRA_PROGRAM_OR_SKIP("dcmqrscp", "dcmtk");           \
-  const auto running = tests::startDcmqrscp(root_ / "s");  \
+#define FENESTRA_DCMQRSCP(running)                        \
+  FENESTRA_PROGRAM_OR_SKIP("dcmqrscp", "dcmtk");          \
+  const auto running = tests::startDcmqrscp(root_ / "s"); \
   ASSERT_TRUE(running)
 
 #define FENESTRA_ORTHANC(running)                        \
@@ -112,8 +115,8 @@ TEST_F(ArchiveWindow, NothingOfAPatientOrASecretIsKeptOrShownWhileHidden) {
   waitUntilDrawn();
   EXPECT_EQ(asked, 1) << "once in a run";
 
-  const QStringList words{QStringLiteral("Smith"), QStringLiteral("Anna"), QStringLiteral("P-1"),
-                          QStringLiteral("A100"), QStringLiteral("2024-01-05"), QStringLiteral("20240105"),
+  const QStringList words{QStringLiteral("Smith"), QStringLiteral("Anna"),       QStringLiteral("P-1"),
+                          QStringLiteral("A100"),  QStringLiteral("2024-01-05"), QStringLiteral("20240105"),
                           QStringLiteral("Head")};
   for (const char* word : {"Smith", "P-1", "A100", "Head"}) EXPECT_TRUE(shown().contains(QLatin1String(word))) << word;
   QTest::keyClick(window_.get(), Qt::Key_H);
@@ -259,6 +262,23 @@ TEST_F(ArchiveWindow, TheSettingsShowAndClearTheCache) {
   row.choose(root_ / "elsewhere");
   EXPECT_EQ(archives().cacheFolder(), root_ / "elsewhere" / "fenestra-archive")
       << "a folder of its own: all in it is the cache's to remove";
+}
+
+TEST_F(ArchiveWindow, ASessionIsNotOfferedAPlaceInTheCache) {
+  const tests::MadeStudy inside = tests::makeStudy(root_ / "cache" / "study", "1.2.3.82", 2),
+                         outside = tests::makeStudy(root_ / "made", "1.2.3.83", 2);
+  const auto suggestedFor = [&](const fs::path& data) {
+    drop({data});
+    fs::path suggested;
+    window_->sessions().questions().saveWhere = [&](const fs::path& where) {
+      suggested = where;
+      return std::nullopt;
+    };
+    window_->sessions().saveAs();
+    return suggested.parent_path();
+  };
+  EXPECT_EQ(suggestedFor(outside.folder), outside.folder.parent_path());
+  EXPECT_EQ(suggestedFor(inside.folder), toPath(QDir::homePath()));
 }
 
 TEST_F(ArchiveWindow, ServersComeBackWithTheNextWindow) {

@@ -22,7 +22,13 @@ ArchiveDock::ArchiveDock(QMainWindow& window, Workspace& workspace, Open open)
   window_.addDockWidget(Qt::LeftDockWidgetArea, this);
   hide();
   connect(this, &QDockWidget::visibilityChanged, this, [this](bool visible) {
-    if (visible) panel();
+    if (!visible || panel_) return;
+    panel();
+    // Unless a restored layout has given it more. From the event loop: the dock is being shown.
+    constexpr int wanted = 340;  // a name with its date, type and number of images
+    QTimer::singleShot(0, this, [this] {
+      if (width() < wanted && !isFloating()) window_.resizeDocks({this}, {wanted}, Qt::Horizontal);
+    });
   });
 }
 

@@ -159,6 +159,17 @@ QWidget* ArchivePanel::makeResults() {
   connect(results_->selectionModel(), &QItemSelectionModel::selectionChanged, this, &ArchivePanel::enableButtons);
   connect(model_, &ArchiveModel::modelReset, this, &ArchivePanel::enableButtons);
 
+  QHBoxLayout* buttons = makeResultButtons();
+  resultsPart_ = new QWidget;
+  auto* column = new QVBoxLayout(resultsPart_);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->addWidget(results_, 1);
+  column->addLayout(buttons);
+  enableButtons();
+  return resultsPart_;
+}
+
+QHBoxLayout* ArchivePanel::makeResultButtons() {
   open_ = new QPushButton(tr("Open"));
   open_->setObjectName(QStringLiteral("archiveOpen"));
   open_->setToolTip(
@@ -179,13 +190,7 @@ QWidget* ArchivePanel::makeResults() {
   buttons->addWidget(retrieve_);
   buttons->addStretch();
   buttons->addWidget(more_);
-  resultsPart_ = new QWidget;
-  auto* column = new QVBoxLayout(resultsPart_);
-  column->setContentsMargins(0, 0, 0, 0);
-  column->addWidget(results_, 1);
-  column->addLayout(buttons);
-  enableButtons();
-  return resultsPart_;
+  return buttons;
 }
 
 QString ArchivePanel::status() const { return status_->text(); }

@@ -12,6 +12,7 @@
 #include "viewer/jobs/LoadJob.h"
 
 class QComboBox;
+class QHBoxLayout;
 class QLabel;
 class QPushButton;
 class QToolButton;
@@ -53,6 +54,7 @@ class ArchivePanel : public QWidget {
  private:
   QWidget* makeServerRow();
   QWidget* makeResults();
+  QHBoxLayout* makeResultButtons();
   void fillServers();
   void editServer(const ServerEntry& entry);
   void test();

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "io/archive/Cache.h"
+#include "io/base/Error.h"
 #include "viewer/archive/Conversation.h"
 
 namespace fenestra::viewer {

@@ -15,6 +15,7 @@
 #include <QVBoxLayout>
 
 #include "io/LabelWriter.h"
+#include "io/base/Reading.h"
 #include "viewer/archive/Conversation.h"
 #include "viewer/model/Document.h"
 #include "viewer/model/Paths.h"
