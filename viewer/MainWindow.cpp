@@ -20,6 +20,7 @@
 #include "viewer/StudyNotices.h"
 #include "viewer/UndoKeys.h"
 #include "viewer/actions/Actions.h"
+#include "viewer/archive/ArchiveDock.h"
 #include "viewer/bars/LoadingBar.h"
 #include "viewer/bars/NoticeBar.h"
 #include "viewer/bars/StatusBar.h"
@@ -87,10 +88,12 @@ MainWindow::MainWindow(const Setup& setup, QWidget* parent)
   studyNotices_ = new StudyNotices(*this, workspace_, loader_, *files_, *sessions_, *notices_);
   setCentralWidget(makeCentre());
   panels_ = makePanels(*this, workspace_);
+  archive_ = new ArchiveDock(*this, workspace_, [this](const auto& folder) { files_->open({folder}); });
   guide_ = new Guide(*this);
   connect(welcome_, &WelcomePage::guideRequested, guide_, [this] { guide_->open(); });
-  actions_ = new Actions({*this, workspace_, loader_, grower_, *files_, *exports_, *pictures_, *verification_,
-                          *sessions_, *views_, gl_, [this] { resetLayout(); }, *panels_.cutaway, *guide_, *tour_});
+  actions_ =
+      new Actions({*this, workspace_, loader_, grower_, *files_, *exports_, *pictures_, *verification_, *sessions_,
+                   *views_, gl_, [this] { resetLayout(); }, *panels_.cutaway, *archive_, *guide_, *tour_});
   setStatusBar(new StatusBar(workspace_.document, *views_, gl_));
   // Below the pictures: a bar above them would resize them, and each click would draw them again.
   // What comes and goes in the status bar must not make the window wider.
@@ -169,6 +172,7 @@ void MainWindow::applyPreference(Preference which) {
     case Preference::Background:
     case Preference::WidthUnit:
     case Preference::KeepsRecent:
+    case Preference::ArchiveGigabytes:
       return;  // takes effect when something is opened
   }
 }

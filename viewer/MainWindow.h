@@ -24,6 +24,7 @@ class QStackedWidget;
 namespace fenestra::viewer {
 
 class Actions;
+class ArchiveDock;
 class Exports;
 class FileOpener;
 class Guide;
@@ -78,6 +79,7 @@ class MainWindow : public QMainWindow {
   Verification& verification() { return *verification_; }
   ViewArea& views() { return *views_; }
   NoticeBar& notices() { return *notices_; }
+  ArchiveDock& archive() { return *archive_; }
   Guide& guide() { return *guide_; }
   Tour& tour() { return *tour_; }
 
@@ -133,6 +135,7 @@ class MainWindow : public QMainWindow {
   WelcomePage* welcome_;
   QStackedWidget* pages_;
   Panels panels_;
+  ArchiveDock* archive_;
   Guide* guide_;
   Actions* actions_;
   QByteArray firstState_, firstViews_;  ///< the layout that resetLayout() restores

@@ -212,8 +212,8 @@ Http::Answer Http::post(const std::string& path, const std::string& type, const 
 void refuseStatus(const WebServer& server, long status) {
   const std::string answer = "the server answers with HTTP " + std::to_string(status);
   if (status == 401 || status == 403)
-    refuse(server, "the server does not let us in (HTTP " + std::to_string(status) + ")",
-           "give the user and password, or the token, that the server knows");
+    throw LoginRefused(server.name(), "the server does not let us in (HTTP " + std::to_string(status) + ")",
+                       "give the user and password, or the token, that the server knows");
   if (status == 404)
     refuse(server, "the server has nothing there (HTTP 404)",
            "check that the address is the root of DICOMweb, and that the study is there");

@@ -5,8 +5,11 @@
 #include <sys/socket.h>
 #include <unistd.h>
 #include <cerrno>
+#include <condition_variable>
 #include <cstring>
 #include <memory>
+#include <mutex>
+#include <thread>
 
 namespace fenestra::io::archive {
 namespace {
@@ -31,18 +34,50 @@ int connectTo(const addrinfo& address, std::chrono::milliseconds most, Task& tas
   return ETIMEDOUT;
 }
 
+/// The addresses of a host, once they are known.
+struct Lookup {
+  std::mutex mutex;
+  std::condition_variable known;
+  bool isOver = false;
+  addrinfo* found = nullptr;  ///< null after a failure
+
+  Lookup() = default;
+  Lookup(const Lookup&) = delete;
+  Lookup& operator=(const Lookup&) = delete;
+  ~Lookup() {
+    if (found) freeaddrinfo(found);
+  }
+};
+
+/// Asks the system for a name in a thread of its own, which is left behind when the user cancels: where no name server
+/// answers, getaddrinfo() takes many seconds and cannot be interrupted. Throws Cancelled.
+std::shared_ptr<Lookup> lookUp(const std::string& host, const std::string& port, Task& task) {
+  auto lookup = std::make_shared<Lookup>();
+  std::thread([lookup, host, port] {
+    addrinfo hints{};
+    hints.ai_socktype = SOCK_STREAM;
+    addrinfo* found = nullptr;
+    const bool failed = getaddrinfo(host.c_str(), port.c_str(), &hints, &found) != 0;
+    const std::lock_guard lock(lookup->mutex);
+    lookup->found = failed ? nullptr : found;
+    lookup->isOver = true;
+    lookup->known.notify_one();
+  }).detach();
+  std::unique_lock lock(lookup->mutex);
+  while (!lookup->known.wait_for(lock, std::chrono::milliseconds(50), [&] { return lookup->isOver; }))
+    task.checkCancelled();
+  return lookup;
+}
+
 }  // namespace
 
 std::string reach(const Server& server, Task& task) {
-  addrinfo hints{};
-  hints.ai_socktype = SOCK_STREAM;
-  addrinfo* found = nullptr;
-  if (getaddrinfo(server.host.c_str(), std::to_string(server.port).c_str(), &hints, &found) != 0 || !found)
+  const std::shared_ptr<Lookup> lookup = lookUp(server.host, std::to_string(server.port), task);
+  if (!lookup->found)
     refuse(server, "there is no host \"" + server.host + "\"",
            "check the host's name, and that the network is connected");
-  const std::unique_ptr<addrinfo, void (*)(addrinfo*)> addresses(found, freeaddrinfo);
   int failure = ETIMEDOUT;
-  for (const addrinfo* each = found; each; each = each->ai_next) {
+  for (const addrinfo* each = lookup->found; each; each = each->ai_next) {
     failure = connectTo(*each, server.limits.connect, task);
     if (failure != 0) continue;
     char address[NI_MAXHOST];

@@ -23,6 +23,12 @@ class Secret {
   std::string text_;
 };
 
+/// The server does not let us in with the login that it was given, or wants one.
+class LoginRefused : public Error {
+ public:
+  using Error::Error;
+};
+
 struct WebServer {
   std::string url;   ///< of the service's root, without a slash at its end: "https://host/dicom-web"
   std::string user;  ///< of basic authorisation; empty: the secret is a bearer token, if there is one

@@ -84,6 +84,7 @@ class Conventions : public Window {
   void addVolumeGestures(Cases& cases);
   void addEditorGestures(Cases& cases);
   void addGesturesOfAllViews(Cases& cases);
+  void addArchiveGestures(Cases& cases);
 };
 
 }  // namespace fenestra::viewer

@@ -364,6 +364,7 @@ TEST_F(Conventions, EveryGestureDoesWhatItSays) {
   addVolumeGestures(cases);
   addEditorGestures(cases);
   addGesturesOfAllViews(cases);
+  addArchiveGestures(cases);
   run(cases, wanted);
 }
 

@@ -19,6 +19,7 @@ class QMainWindow;
 
 namespace fenestra::viewer {
 
+class ArchiveDock;
 class CutawayPanel;
 class Exports;
 class PictureExports;
@@ -49,6 +50,7 @@ class Actions : public QObject {
     GlSupport gl;
     std::function<void()> resetLayout;
     CutawayPanel& cutaway;
+    ArchiveDock& archive;
     Guide& guide;
     Tour& tour;
   };
@@ -74,7 +76,10 @@ class Actions : public QObject {
   void addModalityMenu(QMenu& menu);
   void addSegmentationMenu(QMenu& menu);
   void addExports(QMenu& menu);
+  /// Enabled while something that archives keep is open.
+  void addSending(QMenu& menu);
   void makeEditMenu();
+  void showSettings();
   void makeViewMenu();
   void makeLookFromMenu(QMenu& menu);
   void makeCameraEntries(QMenu& menu);

@@ -9,6 +9,8 @@
 #include "rendering/settings/StartingLook.h"
 #include "viewer/actions/Actions.h"
 #include "viewer/actions/SegmentationMenu.h"
+#include "viewer/archive/ArchiveDock.h"
+#include "viewer/archive/SendDialog.h"
 #include "viewer/exports/Exports.h"
 #include "viewer/exports/PictureExports.h"
 #include "viewer/files/FileOpener.h"
@@ -54,6 +56,7 @@ void Actions::makeFileMenu() {
   menu->addSeparator();
   menu->addActions({save, saveAs});
   addExports(*menu);
+  addSending(*menu);
   menu->addSeparator();
   menu->addAction(action(tr("&Quit"), QKeySequence::Quit, [this] { targets_.window.close(); }));
   tools_ << QList<QAction*>{folder, file, labels, save};
@@ -149,6 +152,21 @@ void Actions::addExports(QMenu& menu) {
   connect(&document, &Document::labelsChanged, group, enable);
   connect(&document, &Document::focusChanged, group, enable);
   connect(&document, &Document::measuresChanged, group, enable);
+  enable();
+}
+
+void Actions::addSending(QMenu& menu) {
+  QAction* send = menu.addAction(tr("Send to archi&ve…"));
+  send->setObjectName(QStringLiteral("sendToArchive"));
+  connect(send, &QAction::triggered, this, [this] { targets_.archive.showSendDialog(); });
+  const Document& document = targets_.workspace.document;
+  const auto enable = [send, &document] {
+    const QString problem = SendDialog::problemOf(document);
+    send->setEnabled(problem.isEmpty());
+    send->setToolTip(problem.isEmpty() ? tr("The open series and its labels, to a server of the panel Archive")
+                                       : problem);
+  };
+  connect(&document, &Document::volumeChanged, send, enable);
   enable();
 }
 

@@ -6,6 +6,8 @@
 
 #include "viewer/actions/Actions.h"
 #include "viewer/actions/MeasureMenu.h"
+#include "viewer/archive/ArchiveDock.h"
+#include "viewer/archive/CacheRow.h"
 #include "viewer/dialogs/SettingsDialog.h"
 #include "viewer/dialogs/WindowLevelDialog.h"
 #include "viewer/exports/PictureExports.h"
@@ -43,9 +45,14 @@ void Actions::makeEditMenu() {
   menu->addSeparator();
   menu->addActions({paint, opposite, smaller, larger});
   menu->addSeparator();
-  menu->addAction(action(tr("Se&ttings…"), {},
-                         [this] { SettingsDialog(targets_.workspace.preferences, &targets_.window).exec(); }));
+  menu->addAction(action(tr("Se&ttings…"), {}, [this] { showSettings(); }));
   tools_ << QList<QAction*>{undo, redo, paint};
+}
+
+void Actions::showSettings() {
+  SettingsDialog dialog(targets_.workspace.preferences, &targets_.window);
+  dialog.addRow(tr("They are kept in"), new CacheRow(targets_.archive.archives(), targets_.archive.retrievals()));
+  dialog.exec();
 }
 
 void Actions::makeWindowLevelMenu() {

@@ -16,24 +16,28 @@ namespace fenestra::viewer {
 
 SettingsDialog::SettingsDialog(Preferences& preferences, QWidget* parent) : QDialog(parent), preferences_(preferences) {
   setWindowTitle(tr("Settings"));
-  auto* form = new QFormLayout(this);
+  form_ = new QFormLayout(this);
   for (const PreferenceEntry& entry : preferenceTable()) {
     QWidget* control = controlFor(entry);
     control->setObjectName(QLatin1String(entry.key));
     control->setToolTip(translated(entry.description));
     if (entry.kind == PreferenceEntry::Kind::Switch)
-      form->addRow(control);
+      form_->addRow(control);
     else
-      form->addRow(translated(entry.name), control);
+      form_->addRow(translated(entry.name), control);
   }
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close | QDialogButtonBox::RestoreDefaults);
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
   connect(buttons->button(QDialogButtonBox::RestoreDefaults), &QPushButton::clicked, &preferences_,
           &Preferences::restoreDefaults);
-  form->addRow(buttons);
+  form_->addRow(buttons);
   connect(&preferences_, &Preferences::changed, this, [this] {
     for (const auto& show : shows_) show();
   });
+}
+
+void SettingsDialog::addRow(const QString& name, QWidget* control) {
+  form_->insertRow(form_->rowCount() - 1, name, control);
 }
 
 QWidget* SettingsDialog::controlFor(const PreferenceEntry& entry) {

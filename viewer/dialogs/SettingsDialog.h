@@ -6,6 +6,8 @@
 
 #include <QDialog>
 
+class QFormLayout;
+
 namespace fenestra::viewer {
 
 class Preferences;
@@ -17,10 +19,14 @@ class SettingsDialog : public QDialog {
   /// `preferences` outlives this.
   explicit SettingsDialog(Preferences& preferences, QWidget* parent = nullptr);
 
+  /// A row below those of the table; the dialog owns its control.
+  void addRow(const QString& name, QWidget* control);
+
  private:
   QWidget* controlFor(const PreferenceEntry& entry);
 
   Preferences& preferences_;
+  QFormLayout* form_;
   std::vector<std::function<void()>> shows_;  ///< bring the controls up to date
 };
 

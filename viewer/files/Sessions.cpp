@@ -7,6 +7,7 @@
 #include <QPushButton>
 
 #include "io/TransferFunctionFile.h"
+#include "io/archive/Cache.h"
 #include "io/session/SessionFile.h"
 #include "io/study/ReadStudy.h"
 #include "viewer/bars/NoticeBar.h"
@@ -112,6 +113,13 @@ QString studyOf(const fs::path& copy) try {
 io::StudyRequest editable(io::StudyRequest request) {
   request.acceptsAnyRegion = true;
   return request;
+}
+
+/// Whether a path lies where objects of archives are kept, which clears itself and must not hold a user's work.
+bool isInArchiveCache(const fs::path& path, const Preferences& preferences) {
+  const fs::path chosen = preferences.archiveFolder();
+  const fs::path root = chosen.empty() ? io::archive::defaultCacheFolder() : chosen;
+  return !root.empty() && *fs::absolute(path).lexically_relative(root).begin() != "..";
 }
 
 }  // namespace
@@ -260,7 +268,8 @@ bool Sessions::saveAs() {
   fs::path suggested = controller_.file();
   if (suggested.empty()) {
     const fs::path& data = workspace_.document.study().session.volume.path;
-    suggested = (data.empty() ? toPath(QDir::homePath()) : fs::absolute(data).parent_path()) / "session";
+    const bool isPassing = data.empty() || isInArchiveCache(data, workspace_.preferences);
+    suggested = (isPassing ? toPath(QDir::homePath()) : fs::absolute(data).parent_path()) / "session";
     suggested += io::sessionEnding;
   }
   std::optional<fs::path> file = questions_.saveWhere(suggested);

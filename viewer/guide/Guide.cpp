@@ -23,7 +23,8 @@ QString placeOf(const QDockWidget& dock) {
                                     {"clippingDock", "opening#clipping"},
                                     {"contextDock", "look"},
                                     {"contextLayerDock", "opening#edges-of-what-was-removed"},
-                                    {"cutawayDock", "opening"}})
+                                    {"cutawayDock", "opening"},
+                                    {"archiveDock", "archive#in-the-window"}})
     if (dock.objectName() == QLatin1String(name)) return QLatin1String(place);
   return QStringLiteral("look");
 }

@@ -17,7 +17,9 @@ constexpr int progressSteps = 1000;
 
 }  // namespace
 
-LoadJob::LoadJob(QObject* parent) : QObject(parent) {
+LoadJob::LoadJob(QObject* parent) : LoadJob(backgroundThreads(), parent) {}
+
+LoadJob::LoadJob(QThreadPool& threads, QObject* parent) : QObject(parent), threads_(threads) {
   connect(&watcher_, &QFutureWatcherBase::finished, this, &LoadJob::finish);
   connect(&watcher_, &QFutureWatcherBase::progressValueChanged, this, [this](int value) {
     Q_EMIT progressed(static_cast<double>(value) / progressSteps, watcher_.progressText());
@@ -35,7 +37,7 @@ void LoadJob::start(Read read) {
   waits_ = false;
   running_ = true;
   Q_EMIT started();
-  watcher_.setFuture(QtConcurrent::run(&backgroundThreads(), [read = std::move(read)](QPromise<Outcome>& promise) {
+  watcher_.setFuture(QtConcurrent::run(&threads_, [read = std::move(read)](QPromise<Outcome>& promise) {
     giveWayToTheWindow();
     promise.setProgressRange(0, progressSteps);
     const io::Progress progress = [&promise](double fraction, std::string_view doing) {

@@ -7,6 +7,7 @@
 
 #include <QFutureWatcher>
 #include <QObject>
+#include <QThreadPool>
 
 #include "io/base/Reading.h"
 
@@ -21,6 +22,8 @@ class LoadJob : public QObject {
   using Read = std::function<Show(const io::Progress&)>;
 
   explicit LoadJob(QObject* parent = nullptr);
+  /// On `threads`, which outlive this.
+  explicit LoadJob(QThreadPool& threads, QObject* parent = nullptr);
   /// Cancels and waits until the reader has stopped.
   ~LoadJob() override;
 
@@ -48,6 +51,7 @@ class LoadJob : public QObject {
 
   void finish();
 
+  QThreadPool& threads_;
   QFutureWatcher<Outcome> watcher_;
   bool running_ = false;
   bool isHeld_ = false, waits_ = false;  ///< waits_: an outcome waits for release()

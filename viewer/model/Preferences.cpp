@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <array>
 
+#include <QJsonArray>
+#include <QJsonDocument>
+
 #include "rendering/settings/Settings.h"
 #include "rendering/viewpoints/Sphere.h"
 #include "viewer/model/Paths.h"
@@ -17,6 +20,9 @@ const QString stateKey = QStringLiteral("layout/docks");
 const QString qualityKey = QStringLiteral("picture/quality");
 const QString maxErrorKey = QStringLiteral("picture/maxError");
 const QString viewsKey = QStringLiteral("layout/views");
+const QString serversKey = QStringLiteral("archive/servers");
+const QString searchesKey = QStringLiteral("archive/searches");
+const QString archiveFolderKey = QStringLiteral("archive/folder");
 const QString placementKey = QStringLiteral("placement/%1");
 
 struct NamedPickWeight {
@@ -77,7 +83,13 @@ constexpr std::array table{
                     QT_TRANSLATE_NOOP("Settings", "List the folders and files opened last in the File menu"), 1},
     PreferenceEntry{Preference::KeepsCopies, Kind::Switch, "session/copies",
                     QT_TRANSLATE_NOOP("Settings", "Keep a copy of unsaved work"),
-                    QT_TRANSLATE_NOOP("Settings", "Every minute, to be offered after a crash"), 1}};
+                    QT_TRANSLATE_NOOP("Settings", "Every minute, to be offered after a crash"), 1},
+    PreferenceEntry{Preference::ArchiveGigabytes, Kind::Number, "archive/gigabytes",
+                    QT_TRANSLATE_NOOP("Settings", "Objects of archives, at most"),
+                    QT_TRANSLATE_NOOP("Settings",
+                                      "Disk space for what was retrieved from archive servers: the series used longest "
+                                      "ago go first"),
+                    50, 1, 100000, QT_TRANSLATE_NOOP("Settings", "GB")}};
 
 }  // namespace
 
@@ -188,6 +200,28 @@ void Preferences::setAtRest(const Effort& effort) {
     store(maxErrorKey, *effort.maxError);
   else
     remove(maxErrorKey);
+}
+
+// As JSON: Qt would write maps as bytes, in which nobody can see what is kept.
+QVariantList Preferences::archiveList(const QString& key) const {
+  return QJsonDocument::fromJson(value(key).toString().toUtf8()).array().toVariantList();
+}
+
+void Preferences::setArchiveList(const QString& key, const QVariantList& list) {
+  store(key, QString::fromUtf8(QJsonDocument(QJsonArray::fromVariantList(list)).toJson(QJsonDocument::Compact)));
+}
+
+QVariantList Preferences::archiveServers() const { return archiveList(serversKey); }
+void Preferences::setArchiveServers(const QVariantList& servers) { setArchiveList(serversKey, servers); }
+QVariantList Preferences::archiveSearches() const { return archiveList(searchesKey); }
+void Preferences::setArchiveSearches(const QVariantList& searches) { setArchiveList(searchesKey, searches); }
+std::filesystem::path Preferences::archiveFolder() const { return toPath(value(archiveFolderKey).toString()); }
+
+void Preferences::setArchiveFolder(const std::filesystem::path& folder) {
+  if (folder.empty())
+    remove(archiveFolderKey);
+  else
+    store(archiveFolderKey, toQString(folder));
 }
 
 QByteArray Preferences::windowGeometry() const { return value(geometryKey).toByteArray(); }

@@ -30,7 +30,8 @@ enum class Preference : std::uint8_t {
   WidthUnit,
   HidesPatient,
   KeepsRecent,
-  KeepsCopies
+  KeepsCopies,
+  ArchiveGigabytes
 };
 
 /// A preference's declaration: storage, the dialog and the defaults are made from preferenceTable().
@@ -80,6 +81,16 @@ class Preferences : public QObject {
   /// Where the user's presets of looks are; empty when transient.
   std::filesystem::path looksFolder() const;
 
+  /// Archive servers and searches, each a map of values that viewer/archive makes; none holds a secret or what was
+  /// searched of a patient.
+  QVariantList archiveServers() const;
+  void setArchiveServers(const QVariantList& servers);
+  QVariantList archiveSearches() const;
+  void setArchiveSearches(const QVariantList& searches);
+  /// Where objects of archives are kept; empty: in the user's cache.
+  std::filesystem::path archiveFolder() const;
+  void setArchiveFolder(const std::filesystem::path& folder);
+
   QByteArray windowGeometry() const;
   QByteArray windowState() const;
   QByteArray viewLayout() const;
@@ -96,6 +107,8 @@ class Preferences : public QObject {
   QVariant value(const QString& key, const QVariant& otherwise = {}) const;
   void store(const QString& key, const QVariant& value);
   void remove(const QString& key);
+  QVariantList archiveList(const QString& key) const;
+  void setArchiveList(const QString& key, const QVariantList& list);
 
   std::optional<QSettings> settings_;  ///< empty when transient
   QHash<QString, QVariant> unstored_;  ///< when transient

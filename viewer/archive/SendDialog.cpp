@@ -1,0 +1,146 @@
+#include "viewer/archive/SendDialog.h"
+
+#include <algorithm>
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDialogButtonBox>
+#include <QFormLayout>
+#include <QHeaderView>
+#include <QLabel>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QTemporaryDir>
+#include <QTreeWidget>
+#include <QVBoxLayout>
+
+#include "io/LabelWriter.h"
+#include "io/base/Reading.h"
+#include "viewer/archive/Conversation.h"
+#include "viewer/model/Document.h"
+#include "viewer/model/Paths.h"
+
+namespace fenestra::viewer {
+
+QString SendDialog::problemOf(const Document& document) {
+  if (!document.hasVolume()) return tr("Nothing is open.");
+  if (document.study().format != "DICOM") return tr("What is open is not DICOM, and archives keep nothing else.");
+  return {};
+}
+
+SendDialog::SendDialog(Archives& archives, const Document& document, QWidget* parent)
+    : QDialog(parent), archives_(archives), document_(document) {
+  setWindowTitle(tr("Send to an archive"));
+  auto* form = new QFormLayout;
+  addChoices(*form);
+  status_ = new QLabel;
+  status_->setObjectName(QStringLiteral("sendStatus"));
+  status_->setTextFormat(Qt::PlainText);
+  status_->setWordWrap(true);
+  progress_ = new QProgressBar;
+  progress_->setRange(0, 1000);
+  progress_->setTextVisible(false);
+  progress_->hide();
+  answers_ = new QTreeWidget;
+  answers_->setObjectName(QStringLiteral("sendAnswers"));
+  answers_->setRootIsDecorated(false);
+  answers_->setUniformRowHeights(true);
+  answers_->setHeaderLabels({tr("Object"), tr("Answer of the server")});
+  answers_->header()->setSectionResizeMode(0, QHeaderView::ResizeToContents);
+  auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close);
+  send_ = buttons->addButton(tr("Send"), QDialogButtonBox::ActionRole);
+  send_->setObjectName(QStringLiteral("sendNow"));
+  connect(send_, &QPushButton::clicked, this, &SendDialog::send);
+  connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+  auto* column = new QVBoxLayout(this);
+  column->addLayout(form);
+  column->addWidget(progress_);
+  column->addWidget(status_);
+  column->addWidget(answers_, 1);
+  column->addWidget(buttons);
+  resize(560, 420);
+
+  connect(this, &QDialog::finished, &job_, &LoadJob::cancel);
+  connect(&job_, &LoadJob::progressed, this, [this](double fraction, const QString& doing) {
+    progress_->setValue(static_cast<int>(1000.0 * fraction));
+    status_->setText(doing);
+  });
+  connect(&job_, &LoadJob::failed, status_, &QLabel::setText);
+  connect(&job_, &LoadJob::ended, this, [this] {
+    progress_->setVisible(job_.isRunning());
+    enable();
+  });
+  enable();
+}
+
+void SendDialog::addChoices(QFormLayout& form) {
+  servers_ = new QComboBox;
+  servers_->setToolTip(tr("The server that gets the objects"));
+  for (const ServerEntry& each : archives_.servers()) servers_->addItem(each.name, each.id);
+  series_ = new QCheckBox(tr("The open series, images: %1").arg(document_.study().series.files.size()));
+  series_->setObjectName(QStringLiteral("sendSeries"));
+  series_->setToolTip(tr("Its files as they are"));
+  labels_ = new QCheckBox(tr("All labels, as a DICOM segmentation"));
+  labels_->setObjectName(QStringLiteral("sendLabels"));
+  labels_->setToolTip(tr("With their names and colours, for the patient and the series that are open"));
+  labels_->setEnabled(document_.labels() != nullptr);
+  labels_->setChecked(labels_->isEnabled());
+  auto* note = new QLabel(tr("The objects hold the patient's name and ID: an archive files them by these."));
+  note->setWordWrap(true);
+  form.addRow(tr("Server"), servers_);
+  form.addRow(series_);
+  form.addRow(labels_);
+  form.addRow(note);
+  for (QCheckBox* each : {series_, labels_}) connect(each, &QCheckBox::toggled, this, &SendDialog::enable);
+}
+
+void SendDialog::enable() {
+  const bool some = series_->isChecked() || labels_->isChecked();
+  send_->setEnabled(some && servers_->count() > 0 && !job_.isRunning());
+}
+
+void SendDialog::send() {
+  const ServerEntry* entry = archives_.find(servers_->currentData().toString());
+  const std::optional<AnyServer> reached = entry ? archives_.reach(*entry) : std::nullopt;
+  if (!reached) return;
+  answers_->clear();
+  progress_->setValue(0);
+  progress_->show();
+  const std::vector<std::filesystem::path> series = document_.study().series.files;
+  const auto labels = labels_->isChecked() ? document_.labels() : nullptr;
+  const bool sendsSeries = series_->isChecked();
+  job_.start([this, series, labels, sendsSeries,
+              talk = Conversation(archives_, entry->id, *reached)](const io::Progress& progress) -> LoadJob::Show {
+    std::vector<std::filesystem::path> files;
+    if (sendsSeries) files = series;
+    const QTemporaryDir folder;  // for its owner alone, and removed when all is sent
+    if (labels) {
+      if (!folder.isValid())
+        throw io::Error("labels", "cannot be written for sending", "make room for temporary files");
+      files.push_back(toPath(folder.path()) / "labels.dcm");
+      io::writeLabels(*labels, files.back(), {.only = {}, .series = series, .namesPatient = true},
+                      io::partOf(progress, 0.0, 0.2));
+    }
+    const auto sent = std::make_shared<std::vector<io::archive::Sent>>(talk.run([&](const auto& each) {
+      return io::archive::send(each, files, io::partOf(progress, labels ? 0.2 : 0.0, 1.0));
+    }));
+    return [this, sent, images = sendsSeries ? series.size() : 0] { show(*sent, images); };
+  });
+  enable();
+}
+
+void SendDialog::show(const std::vector<io::archive::Sent>& sent, std::size_t images) {
+  QList<QTreeWidgetItem*> rows;
+  for (std::size_t i = 0; i < sent.size(); ++i) {
+    // Not by the names of files, which may name the patient.
+    const QString name = i < images ? tr("Image %1").arg(i + 1) : tr("Labels");
+    const QString text = QString::fromStdString(sent[i].text);
+    const QString verdict = sent[i].accepted ? tr("accepted") : tr("refused");
+    rows << new QTreeWidgetItem({name, text.isEmpty() ? verdict : QStringLiteral("%1: %2").arg(verdict, text)});
+  }
+  answers_->addTopLevelItems(rows);
+  const auto accepted = std::count_if(sent.begin(), sent.end(), [](const auto& each) { return each.accepted; });
+  status_->setText(tr("Accepted: %1 of %2.").arg(accepted).arg(sent.size()));
+}
+
+}  // namespace fenestra::viewer
