@@ -169,6 +169,8 @@ void MainWindow::applyPreference(Preference which) {
     case Preference::WidthUnit:
     case Preference::KeepsRecent:
       return;  // takes effect when something is opened
+    case Preference::Language:
+      return;  // at the next start: texts are set once, when their widgets are made
   }
 }
 

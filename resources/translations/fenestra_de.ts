@@ -781,148 +781,8 @@
 <context>
     <name>PlacementForm</name>
     <message>
-        <source>Depth</source>
-        <translation>Tiefe</translation>
-    </message>
-    <message>
-        <source>How deep the focus lies; below 0 prefers views with little in front of it.
-vd1 = mean depth of the focus&apos;s pixels / diameter of the model&apos;s sphere</source>
-        <translation>Wie tief der Fokus liegt; unter 0 bevorzugt Ansichten mit wenig davor.
-vd1 = mittlere Tiefe der Pixel des Fokus / Durchmesser der Kugel um das Modell</translation>
-    </message>
-    <message>
-        <source>Size</source>
-        <translation>Größe</translation>
-    </message>
-    <message>
-        <source>How large the focus is in the picture.
-vd2 = pixels of the focus / pixels of the picture</source>
-        <translation>Wie groß der Fokus im Bild ist.
-vd2 = Pixel des Fokus / Pixel des Bilds</translation>
-    </message>
-    <message>
-        <source>Centring</source>
-        <translation>Zentrierung</translation>
-    </message>
-    <message>
-        <source>How near to the middle of the picture it is.
-vd3 = 1 − distance of its centroid from the middle / distance of a corner</source>
-        <translation>Wie nahe er der Bildmitte ist.
-vd3 = 1 − Abstand seines Schwerpunkts von der Mitte / Abstand einer Ecke</translation>
-    </message>
-    <message>
-        <source>Cut ends</source>
-        <translation>Schnittenden</translation>
-    </message>
-    <message>
-        <source>Below 0 avoids looking at the focus through a face where the scan cuts the body off.
-Share of the focus&apos;s pixels whose rays enter the volume inside the body</source>
-        <translation>Unter 0 meidet Blicke auf den Fokus durch eine Fläche, an der die Aufnahme den Körper abschneidet.
-Anteil der Pixel des Fokus, deren Strahlen innerhalb des Körpers ins Volumen eintreten</translation>
-    </message>
-    <message>
-        <source>Evenness</source>
-        <translation>Gleichmaß</translation>
-    </message>
-    <message>
-        <source>How much of its surface is seen.
-Viewpoint entropy −Σ p log p of the seen surface points, over its maximum (Bordoloi, Shen 2005)</source>
-        <translation>Wie viel seiner Oberfläche zu sehen ist.
-Blickpunktentropie −Σ p log p der sichtbaren Oberflächenpunkte, durch ihr Maximum (Bordoloi, Shen 2005)</translation>
-    </message>
-    <message>
-        <source>Typical</source>
-        <translation>Typisch</translation>
-    </message>
-    <message>
-        <source>How typical the view is of all views.
-1 − Σ p(o|v) log(p(o|v) / p(o)) over its maximum (Viola et al. 2006)</source>
-        <translation>Wie typisch die Ansicht unter allen ist.
-1 − Σ p(o|v) log(p(o|v) / p(o)) durch ihr Maximum (Viola et al. 2006)</translation>
-    </message>
-    <message>
-        <source>Steady</source>
-        <translation>Stetig</translation>
-    </message>
-    <message>
-        <source>How little changes when the camera moves a bit.
-1 − Jensen–Shannon divergence to the eight nearest views</source>
-        <translation>Wie wenig sich ändert, wenn sich die Kamera etwas bewegt.
-1 − Jensen-Shannon-Divergenz zu den acht nächsten Ansichten</translation>
-    </message>
-    <message>
-        <source>Standard view</source>
-        <translation>Standardansicht</translation>
-    </message>
-    <message>
-        <source>How near the view is to anterior, left, superior …: a little decides between equally good views.
-Cosine of the angle to the nearest of the six</source>
-        <translation>Wie nahe die Ansicht anterior, links, superior … ist: ein wenig davon entscheidet zwischen gleich guten Ansichten.
-Kosinus des Winkels zur nächsten der sechs</translation>
-    </message>
-    <message>
-        <source>Not through cut ends</source>
-        <translation>Nicht durch Schnittenden</translation>
-    </message>
-    <message>
-        <source>No view within 45° of an end of the scan where the body goes on, while another one shows at least two thirds as much of the focus</source>
-        <translation>Keine Ansicht innerhalb von 45° um ein Ende der Aufnahme, wo der Körper weitergeht, solange eine andere mindestens zwei Drittel so viel vom Fokus zeigt</translation>
-    </message>
-    <message>
-        <source>From around before from above</source>
-        <translation>Von ringsum vor von oben</translation>
-    </message>
-    <message>
-        <source>From the front, from behind, the left or the right rather than from above or below, where both show about as much</source>
-        <translation>Von vorn, hinten, links oder rechts statt von oben oder unten, wo beide etwa gleich viel zeigen</translation>
-    </message>
-    <message>
-        <source>Thin stacks from the front</source>
-        <translation>Dünne Stapel von vorn</translation>
-    </message>
-    <message>
-        <source>A stack of a few slices, or one much thinner than wide, is seen from the side from which its slices are shown, not edge-on</source>
-        <translation>Ein Stapel weniger Schichten, oder einer viel dünner als breit, wird von der Seite gesehen, von der seine Schichten gezeigt werden, nicht von der Kante</translation>
-    </message>
-    <message>
-        <source>From the near side</source>
-        <translation>Von der näheren Seite</translation>
-    </message>
-    <message>
         <source>From the side of the body that the focus is nearer to, rather than through the body, where both show about as much</source>
         <translation>Von der Körperseite, der der Fokus näher liegt, statt durch den Körper hindurch, wo beide etwa gleich viel zeigen</translation>
-    </message>
-    <message>
-        <source>Usual side</source>
-        <translation>Übliche Seite</translation>
-    </message>
-    <message>
-        <source>How usual the view is: from the front rather than from the side, from behind, from above or below</source>
-        <translation>Wie üblich die Ansicht ist: eher von vorn als von der Seite, von hinten, von oben oder unten</translation>
-    </message>
-    <message>
-        <source>Last view</source>
-        <translation>Letzte Ansicht</translation>
-    </message>
-    <message>
-        <source>How near the view is to the present one, so that it does not jump</source>
-        <translation>Wie nahe die Ansicht der jetzigen ist, damit sie nicht springt</translation>
-    </message>
-    <message>
-        <source>Shape</source>
-        <translation>Form</translation>
-    </message>
-    <message>
-        <source>How well the view shows the structure&apos;s shape around the point: onto what is flat, across what is long</source>
-        <translation>Wie gut die Ansicht die Form der Struktur um den Punkt zeigt: auf Flaches, quer zu Langem</translation>
-    </message>
-    <message>
-        <source>Unhidden</source>
-        <translation>Unverdeckt</translation>
-    </message>
-    <message>
-        <source>How little hides the structure around the point, before anything is cut away</source>
-        <translation>Wie wenig die Struktur um den Punkt verdeckt, bevor etwas weggeschnitten ist</translation>
     </message>
 </context>
 <context>
@@ -2495,6 +2355,154 @@ Kosinus des Winkels zur nächsten der sechs</translation>
     <message>
         <source>Lung</source>
         <translation>Lunge</translation>
+    </message>
+    <message>
+        <source>As the desktop</source>
+        <translation>Wie der Desktop</translation>
+    </message>
+    <message>
+        <source>How deep the focus lies; below 0 prefers views with little in front of it.
+vd1 = mean depth of the focus&apos;s pixels / diameter of the model&apos;s sphere</source>
+        <translation>Wie tief der Fokus liegt; unter 0 bevorzugt Ansichten mit wenig davor.
+vd1 = mittlere Tiefe der Pixel des Fokus / Durchmesser der Kugel um das Modell</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source>How large the focus is in the picture.
+vd2 = pixels of the focus / pixels of the picture</source>
+        <translation>Wie groß der Fokus im Bild ist.
+vd2 = Pixel des Fokus / Pixel des Bilds</translation>
+    </message>
+    <message>
+        <source>Centring</source>
+        <translation>Zentrierung</translation>
+    </message>
+    <message>
+        <source>How near to the middle of the picture it is.
+vd3 = 1 − distance of its centroid from the middle / distance of a corner</source>
+        <translation>Wie nahe er der Bildmitte ist.
+vd3 = 1 − Abstand seines Schwerpunkts von der Mitte / Abstand einer Ecke</translation>
+    </message>
+    <message>
+        <source>Cut ends</source>
+        <translation>Schnittenden</translation>
+    </message>
+    <message>
+        <source>Below 0 avoids looking at the focus through a face where the scan cuts the body off.
+Share of the focus&apos;s pixels whose rays enter the volume inside the body</source>
+        <translation>Unter 0 meidet Blicke auf den Fokus durch eine Fläche, an der die Aufnahme den Körper abschneidet.
+Anteil der Pixel des Fokus, deren Strahlen innerhalb des Körpers ins Volumen eintreten</translation>
+    </message>
+    <message>
+        <source>Evenness</source>
+        <translation>Gleichmaß</translation>
+    </message>
+    <message>
+        <source>How much of its surface is seen.
+Viewpoint entropy −Σ p log p of the seen surface points, over its maximum (Bordoloi, Shen 2005)</source>
+        <translation>Wie viel seiner Oberfläche zu sehen ist.
+Blickpunktentropie −Σ p log p der sichtbaren Oberflächenpunkte, durch ihr Maximum (Bordoloi, Shen 2005)</translation>
+    </message>
+    <message>
+        <source>Typical</source>
+        <translation>Typisch</translation>
+    </message>
+    <message>
+        <source>How typical the view is of all views.
+1 − Σ p(o|v) log(p(o|v) / p(o)) over its maximum (Viola et al. 2006)</source>
+        <translation>Wie typisch die Ansicht unter allen ist.
+1 − Σ p(o|v) log(p(o|v) / p(o)) durch ihr Maximum (Viola et al. 2006)</translation>
+    </message>
+    <message>
+        <source>Steady</source>
+        <translation>Stetig</translation>
+    </message>
+    <message>
+        <source>How little changes when the camera moves a bit.
+1 − Jensen–Shannon divergence to the eight nearest views</source>
+        <translation>Wie wenig sich ändert, wenn sich die Kamera etwas bewegt.
+1 − Jensen-Shannon-Divergenz zu den acht nächsten Ansichten</translation>
+    </message>
+    <message>
+        <source>Standard view</source>
+        <translation>Standardansicht</translation>
+    </message>
+    <message>
+        <source>How near the view is to anterior, left, superior …: a little decides between equally good views.
+Cosine of the angle to the nearest of the six</source>
+        <translation>Wie nahe die Ansicht anterior, links, superior … ist: ein wenig davon entscheidet zwischen gleich guten Ansichten.
+Kosinus des Winkels zur nächsten der sechs</translation>
+    </message>
+    <message>
+        <source>Not through cut ends</source>
+        <translation>Nicht durch Schnittenden</translation>
+    </message>
+    <message>
+        <source>No view within 45° of an end of the scan where the body goes on, while another one shows at least two thirds as much of the focus</source>
+        <translation>Keine Ansicht innerhalb von 45° um ein Ende der Aufnahme, wo der Körper weitergeht, solange eine andere mindestens zwei Drittel so viel vom Fokus zeigt</translation>
+    </message>
+    <message>
+        <source>From around before from above</source>
+        <translation>Von ringsum vor von oben</translation>
+    </message>
+    <message>
+        <source>From the front, from behind, the left or the right rather than from above or below, where both show about as much</source>
+        <translation>Von vorn, hinten, links oder rechts statt von oben oder unten, wo beide etwa gleich viel zeigen</translation>
+    </message>
+    <message>
+        <source>Thin stacks from the front</source>
+        <translation>Dünne Stapel von vorn</translation>
+    </message>
+    <message>
+        <source>A stack of a few slices, or one much thinner than wide, is seen from the side from which its slices are shown, not edge-on</source>
+        <translation>Ein Stapel weniger Schichten, oder einer viel dünner als breit, wird von der Seite gesehen, von der seine Schichten gezeigt werden, nicht von der Kante</translation>
+    </message>
+    <message>
+        <source>From the near side</source>
+        <translation>Von der näheren Seite</translation>
+    </message>
+    <message>
+        <source>Language (at the next start)</source>
+        <translation>Sprache (beim nächsten Start)</translation>
+    </message>
+    <message>
+        <source>Language of the window&apos;s texts and numbers; it changes when Fenestra starts again</source>
+        <translation>Sprache der Texte und Zahlen des Fensters; sie wechselt, wenn Fenestra neu startet</translation>
+    </message>
+    <message>
+        <source>Usual side</source>
+        <translation>Übliche Seite</translation>
+    </message>
+    <message>
+        <source>How usual the view is: from the front rather than from the side, from behind, from above or below</source>
+        <translation>Wie üblich die Ansicht ist: eher von vorn als von der Seite, von hinten, von oben oder unten</translation>
+    </message>
+    <message>
+        <source>Last view</source>
+        <translation>Letzte Ansicht</translation>
+    </message>
+    <message>
+        <source>How near the view is to the present one, so that it does not jump</source>
+        <translation>Wie nahe die Ansicht der jetzigen ist, damit sie nicht springt</translation>
+    </message>
+    <message>
+        <source>Shape</source>
+        <translation>Form</translation>
+    </message>
+    <message>
+        <source>How well the view shows the structure&apos;s shape around the point: onto what is flat, across what is long</source>
+        <translation>Wie gut die Ansicht die Form der Struktur um den Punkt zeigt: auf Flaches, quer zu Langem</translation>
+    </message>
+    <message>
+        <source>Unhidden</source>
+        <translation>Unverdeckt</translation>
+    </message>
+    <message>
+        <source>How little hides the structure around the point, before anything is cut away</source>
+        <translation>Wie wenig die Struktur um den Punkt verdeckt, bevor etwas weggeschnitten ist</translation>
     </message>
 </context>
 <context>

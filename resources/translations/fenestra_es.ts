@@ -781,148 +781,8 @@
 <context>
     <name>PlacementForm</name>
     <message>
-        <source>Depth</source>
-        <translation>Profundidad</translation>
-    </message>
-    <message>
-        <source>How deep the focus lies; below 0 prefers views with little in front of it.
-vd1 = mean depth of the focus&apos;s pixels / diameter of the model&apos;s sphere</source>
-        <translation>Cuán profundo está el foco; por debajo de 0 prefiere vistas con poco delante.
-vd1 = profundidad media de los píxeles del foco / diámetro de la esfera del modelo</translation>
-    </message>
-    <message>
-        <source>Size</source>
-        <translation>Tamaño</translation>
-    </message>
-    <message>
-        <source>How large the focus is in the picture.
-vd2 = pixels of the focus / pixels of the picture</source>
-        <translation>Cuán grande es el foco en la imagen.
-vd2 = píxeles del foco / píxeles de la imagen</translation>
-    </message>
-    <message>
-        <source>Centring</source>
-        <translation>Centrado</translation>
-    </message>
-    <message>
-        <source>How near to the middle of the picture it is.
-vd3 = 1 − distance of its centroid from the middle / distance of a corner</source>
-        <translation>Cuán cerca está del centro de la imagen.
-vd3 = 1 − distancia de su centroide al centro / distancia de una esquina</translation>
-    </message>
-    <message>
-        <source>Cut ends</source>
-        <translation>Extremos cortados</translation>
-    </message>
-    <message>
-        <source>Below 0 avoids looking at the focus through a face where the scan cuts the body off.
-Share of the focus&apos;s pixels whose rays enter the volume inside the body</source>
-        <translation>Por debajo de 0 evita mirar el foco a través de una cara donde la adquisición corta el cuerpo.
-Parte de los píxeles del foco cuyos rayos entran en el volumen dentro del cuerpo</translation>
-    </message>
-    <message>
-        <source>Evenness</source>
-        <translation>Uniformidad</translation>
-    </message>
-    <message>
-        <source>How much of its surface is seen.
-Viewpoint entropy −Σ p log p of the seen surface points, over its maximum (Bordoloi, Shen 2005)</source>
-        <translation>Cuánto se ve de su superficie.
-Entropía del punto de vista −Σ p log p de los puntos vistos, sobre su máximo (Bordoloi, Shen 2005)</translation>
-    </message>
-    <message>
-        <source>Typical</source>
-        <translation>Típica</translation>
-    </message>
-    <message>
-        <source>How typical the view is of all views.
-1 − Σ p(o|v) log(p(o|v) / p(o)) over its maximum (Viola et al. 2006)</source>
-        <translation>Cuán típica es la vista entre todas.
-1 − Σ p(o|v) log(p(o|v) / p(o)) sobre su máximo (Viola et al. 2006)</translation>
-    </message>
-    <message>
-        <source>Steady</source>
-        <translation>Estable</translation>
-    </message>
-    <message>
-        <source>How little changes when the camera moves a bit.
-1 − Jensen–Shannon divergence to the eight nearest views</source>
-        <translation>Cuán poco cambia cuando la cámara se mueve un poco.
-1 − divergencia de Jensen-Shannon con las ocho vistas más próximas</translation>
-    </message>
-    <message>
-        <source>Standard view</source>
-        <translation>Vista estándar</translation>
-    </message>
-    <message>
-        <source>How near the view is to anterior, left, superior …: a little decides between equally good views.
-Cosine of the angle to the nearest of the six</source>
-        <translation>Cuán cerca está la vista de anterior, izquierda, superior …: un poco decide entre vistas igual de buenas.
-Coseno del ángulo con la más próxima de las seis</translation>
-    </message>
-    <message>
-        <source>Not through cut ends</source>
-        <translation>No a través de extremos cortados</translation>
-    </message>
-    <message>
-        <source>No view within 45° of an end of the scan where the body goes on, while another one shows at least two thirds as much of the focus</source>
-        <translation>Ninguna vista a menos de 45° de un extremo de la adquisición donde el cuerpo continúa, mientras otra muestre al menos dos tercios del foco</translation>
-    </message>
-    <message>
-        <source>From around before from above</source>
-        <translation>De alrededor antes que de arriba</translation>
-    </message>
-    <message>
-        <source>From the front, from behind, the left or the right rather than from above or below, where both show about as much</source>
-        <translation>De frente, de atrás, de la izquierda o la derecha antes que de arriba o abajo, si ambas muestran más o menos lo mismo</translation>
-    </message>
-    <message>
-        <source>Thin stacks from the front</source>
-        <translation>Pilas finas de frente</translation>
-    </message>
-    <message>
-        <source>A stack of a few slices, or one much thinner than wide, is seen from the side from which its slices are shown, not edge-on</source>
-        <translation>Una pila de pocos cortes, o mucho más fina que ancha, se mira desde el lado en que se muestran sus cortes, no de canto</translation>
-    </message>
-    <message>
-        <source>From the near side</source>
-        <translation>Desde el lado cercano</translation>
-    </message>
-    <message>
         <source>From the side of the body that the focus is nearer to, rather than through the body, where both show about as much</source>
         <translation>Desde el lado del cuerpo más cercano al foco y no a través del cuerpo, si ambas muestran más o menos lo mismo</translation>
-    </message>
-    <message>
-        <source>Usual side</source>
-        <translation>Lado habitual</translation>
-    </message>
-    <message>
-        <source>How usual the view is: from the front rather than from the side, from behind, from above or below</source>
-        <translation>Cuán habitual es la vista: de frente antes que de lado, de atrás, de arriba o de abajo</translation>
-    </message>
-    <message>
-        <source>Last view</source>
-        <translation>Última vista</translation>
-    </message>
-    <message>
-        <source>How near the view is to the present one, so that it does not jump</source>
-        <translation>Cuán cerca está la vista de la actual, para que no salte</translation>
-    </message>
-    <message>
-        <source>Shape</source>
-        <translation>Forma</translation>
-    </message>
-    <message>
-        <source>How well the view shows the structure&apos;s shape around the point: onto what is flat, across what is long</source>
-        <translation>Cuán bien muestra la vista la forma de la estructura en torno al punto: de frente a lo plano, de través a lo largo</translation>
-    </message>
-    <message>
-        <source>Unhidden</source>
-        <translation>Sin ocultar</translation>
-    </message>
-    <message>
-        <source>How little hides the structure around the point, before anything is cut away</source>
-        <translation>Cuán poco oculta la estructura en torno al punto, antes de cortar nada</translation>
     </message>
 </context>
 <context>
@@ -2495,6 +2355,154 @@ Coseno del ángulo con la más próxima de las seis</translation>
     <message>
         <source>image that is no overview, capture or reformat</source>
         <translation>imagen que no es localizador, captura ni reformateo</translation>
+    </message>
+    <message>
+        <source>As the desktop</source>
+        <translation>Como el escritorio</translation>
+    </message>
+    <message>
+        <source>How deep the focus lies; below 0 prefers views with little in front of it.
+vd1 = mean depth of the focus&apos;s pixels / diameter of the model&apos;s sphere</source>
+        <translation>Cuán profundo está el foco; por debajo de 0 prefiere vistas con poco delante.
+vd1 = profundidad media de los píxeles del foco / diámetro de la esfera del modelo</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Tamaño</translation>
+    </message>
+    <message>
+        <source>How large the focus is in the picture.
+vd2 = pixels of the focus / pixels of the picture</source>
+        <translation>Cuán grande es el foco en la imagen.
+vd2 = píxeles del foco / píxeles de la imagen</translation>
+    </message>
+    <message>
+        <source>Centring</source>
+        <translation>Centrado</translation>
+    </message>
+    <message>
+        <source>How near to the middle of the picture it is.
+vd3 = 1 − distance of its centroid from the middle / distance of a corner</source>
+        <translation>Cuán cerca está del centro de la imagen.
+vd3 = 1 − distancia de su centroide al centro / distancia de una esquina</translation>
+    </message>
+    <message>
+        <source>Cut ends</source>
+        <translation>Extremos cortados</translation>
+    </message>
+    <message>
+        <source>Below 0 avoids looking at the focus through a face where the scan cuts the body off.
+Share of the focus&apos;s pixels whose rays enter the volume inside the body</source>
+        <translation>Por debajo de 0 evita mirar el foco a través de una cara donde la adquisición corta el cuerpo.
+Parte de los píxeles del foco cuyos rayos entran en el volumen dentro del cuerpo</translation>
+    </message>
+    <message>
+        <source>Evenness</source>
+        <translation>Uniformidad</translation>
+    </message>
+    <message>
+        <source>How much of its surface is seen.
+Viewpoint entropy −Σ p log p of the seen surface points, over its maximum (Bordoloi, Shen 2005)</source>
+        <translation>Cuánto se ve de su superficie.
+Entropía del punto de vista −Σ p log p de los puntos vistos, sobre su máximo (Bordoloi, Shen 2005)</translation>
+    </message>
+    <message>
+        <source>Typical</source>
+        <translation>Típica</translation>
+    </message>
+    <message>
+        <source>How typical the view is of all views.
+1 − Σ p(o|v) log(p(o|v) / p(o)) over its maximum (Viola et al. 2006)</source>
+        <translation>Cuán típica es la vista entre todas.
+1 − Σ p(o|v) log(p(o|v) / p(o)) sobre su máximo (Viola et al. 2006)</translation>
+    </message>
+    <message>
+        <source>Steady</source>
+        <translation>Estable</translation>
+    </message>
+    <message>
+        <source>How little changes when the camera moves a bit.
+1 − Jensen–Shannon divergence to the eight nearest views</source>
+        <translation>Cuán poco cambia cuando la cámara se mueve un poco.
+1 − divergencia de Jensen-Shannon con las ocho vistas más próximas</translation>
+    </message>
+    <message>
+        <source>Standard view</source>
+        <translation>Vista estándar</translation>
+    </message>
+    <message>
+        <source>How near the view is to anterior, left, superior …: a little decides between equally good views.
+Cosine of the angle to the nearest of the six</source>
+        <translation>Cuán cerca está la vista de anterior, izquierda, superior …: un poco decide entre vistas igual de buenas.
+Coseno del ángulo con la más próxima de las seis</translation>
+    </message>
+    <message>
+        <source>Not through cut ends</source>
+        <translation>No a través de extremos cortados</translation>
+    </message>
+    <message>
+        <source>No view within 45° of an end of the scan where the body goes on, while another one shows at least two thirds as much of the focus</source>
+        <translation>Ninguna vista a menos de 45° de un extremo de la adquisición donde el cuerpo continúa, mientras otra muestre al menos dos tercios del foco</translation>
+    </message>
+    <message>
+        <source>From around before from above</source>
+        <translation>De alrededor antes que de arriba</translation>
+    </message>
+    <message>
+        <source>From the front, from behind, the left or the right rather than from above or below, where both show about as much</source>
+        <translation>De frente, de atrás, de la izquierda o la derecha antes que de arriba o abajo, si ambas muestran más o menos lo mismo</translation>
+    </message>
+    <message>
+        <source>Thin stacks from the front</source>
+        <translation>Pilas finas de frente</translation>
+    </message>
+    <message>
+        <source>A stack of a few slices, or one much thinner than wide, is seen from the side from which its slices are shown, not edge-on</source>
+        <translation>Una pila de pocos cortes, o mucho más fina que ancha, se mira desde el lado en que se muestran sus cortes, no de canto</translation>
+    </message>
+    <message>
+        <source>From the near side</source>
+        <translation>Desde el lado cercano</translation>
+    </message>
+    <message>
+        <source>Language (at the next start)</source>
+        <translation>Idioma (al próximo inicio)</translation>
+    </message>
+    <message>
+        <source>Language of the window&apos;s texts and numbers; it changes when Fenestra starts again</source>
+        <translation>Idioma de los textos y números de la ventana; cambia cuando Fenestra se inicia de nuevo</translation>
+    </message>
+    <message>
+        <source>Usual side</source>
+        <translation>Lado habitual</translation>
+    </message>
+    <message>
+        <source>How usual the view is: from the front rather than from the side, from behind, from above or below</source>
+        <translation>Cuán habitual es la vista: de frente antes que de lado, de atrás, de arriba o de abajo</translation>
+    </message>
+    <message>
+        <source>Last view</source>
+        <translation>Última vista</translation>
+    </message>
+    <message>
+        <source>How near the view is to the present one, so that it does not jump</source>
+        <translation>Cuán cerca está la vista de la actual, para que no salte</translation>
+    </message>
+    <message>
+        <source>Shape</source>
+        <translation>Forma</translation>
+    </message>
+    <message>
+        <source>How well the view shows the structure&apos;s shape around the point: onto what is flat, across what is long</source>
+        <translation>Cuán bien muestra la vista la forma de la estructura en torno al punto: de frente a lo plano, de través a lo largo</translation>
+    </message>
+    <message>
+        <source>Unhidden</source>
+        <translation>Sin ocultar</translation>
+    </message>
+    <message>
+        <source>How little hides the structure around the point, before anything is cut away</source>
+        <translation>Cuán poco oculta la estructura en torno al punto, antes de cortar nada</translation>
     </message>
 </context>
 <context>

@@ -781,148 +781,8 @@
 <context>
     <name>PlacementForm</name>
     <message>
-        <source>Depth</source>
-        <translation>Profondeur</translation>
-    </message>
-    <message>
-        <source>How deep the focus lies; below 0 prefers views with little in front of it.
-vd1 = mean depth of the focus&apos;s pixels / diameter of the model&apos;s sphere</source>
-        <translation>Profondeur de la cible&#xa0;; sous 0, préfère les vues avec peu de choses devant.
-vd1 = profondeur moyenne des pixels de la cible / diamètre de la sphère du modèle</translation>
-    </message>
-    <message>
-        <source>Size</source>
-        <translation>Taille</translation>
-    </message>
-    <message>
-        <source>How large the focus is in the picture.
-vd2 = pixels of the focus / pixels of the picture</source>
-        <translation>Taille de la cible dans l&apos;image.
-vd2 = pixels de la cible / pixels de l&apos;image</translation>
-    </message>
-    <message>
-        <source>Centring</source>
-        <translation>Centrage</translation>
-    </message>
-    <message>
-        <source>How near to the middle of the picture it is.
-vd3 = 1 − distance of its centroid from the middle / distance of a corner</source>
-        <translation>Proximité du milieu de l&apos;image.
-vd3 = 1 − distance de son centre de gravité au milieu / distance d&apos;un coin</translation>
-    </message>
-    <message>
-        <source>Cut ends</source>
-        <translation>Extrémités coupées</translation>
-    </message>
-    <message>
-        <source>Below 0 avoids looking at the focus through a face where the scan cuts the body off.
-Share of the focus&apos;s pixels whose rays enter the volume inside the body</source>
-        <translation>Sous 0, évite de regarder la cible à travers une face où l&apos;acquisition coupe le corps.
-Part des pixels de la cible dont les rayons entrent dans le volume à l&apos;intérieur du corps</translation>
-    </message>
-    <message>
-        <source>Evenness</source>
-        <translation>Uniformité</translation>
-    </message>
-    <message>
-        <source>How much of its surface is seen.
-Viewpoint entropy −Σ p log p of the seen surface points, over its maximum (Bordoloi, Shen 2005)</source>
-        <translation>Part visible de sa surface.
-Entropie du point de vue −Σ p log p des points vus, sur son maximum (Bordoloi, Shen 2005)</translation>
-    </message>
-    <message>
-        <source>Typical</source>
-        <translation>Typique</translation>
-    </message>
-    <message>
-        <source>How typical the view is of all views.
-1 − Σ p(o|v) log(p(o|v) / p(o)) over its maximum (Viola et al. 2006)</source>
-        <translation>À quel point la vue est typique de toutes.
-1 − Σ p(o|v) log(p(o|v) / p(o)) sur son maximum (Viola et al. 2006)</translation>
-    </message>
-    <message>
-        <source>Steady</source>
-        <translation>Stable</translation>
-    </message>
-    <message>
-        <source>How little changes when the camera moves a bit.
-1 − Jensen–Shannon divergence to the eight nearest views</source>
-        <translation>Peu de changement quand la caméra bouge un peu.
-1 − divergence de Jensen-Shannon avec les huit vues voisines</translation>
-    </message>
-    <message>
-        <source>Standard view</source>
-        <translation>Vue standard</translation>
-    </message>
-    <message>
-        <source>How near the view is to anterior, left, superior …: a little decides between equally good views.
-Cosine of the angle to the nearest of the six</source>
-        <translation>Proximité de la vue avec antérieure, gauche, supérieure …&#xa0;: un peu départage des vues aussi bonnes.
-Cosinus de l&apos;angle avec la plus proche des six</translation>
-    </message>
-    <message>
-        <source>Not through cut ends</source>
-        <translation>Pas à travers les extrémités coupées</translation>
-    </message>
-    <message>
-        <source>No view within 45° of an end of the scan where the body goes on, while another one shows at least two thirds as much of the focus</source>
-        <translation>Aucune vue à moins de 45° d&apos;une extrémité de l&apos;acquisition où le corps continue, si une autre montre au moins deux tiers autant de la cible</translation>
-    </message>
-    <message>
-        <source>From around before from above</source>
-        <translation>D&apos;autour avant d&apos;en haut</translation>
-    </message>
-    <message>
-        <source>From the front, from behind, the left or the right rather than from above or below, where both show about as much</source>
-        <translation>De face, de dos, de gauche ou de droite plutôt que d&apos;en haut ou d&apos;en bas, si les deux montrent à peu près autant</translation>
-    </message>
-    <message>
-        <source>Thin stacks from the front</source>
-        <translation>Piles minces de face</translation>
-    </message>
-    <message>
-        <source>A stack of a few slices, or one much thinner than wide, is seen from the side from which its slices are shown, not edge-on</source>
-        <translation>Une pile de quelques coupes, ou bien plus mince que large, est vue du côté où ses coupes s&apos;affichent, pas par la tranche</translation>
-    </message>
-    <message>
-        <source>From the near side</source>
-        <translation>Du côté proche</translation>
-    </message>
-    <message>
         <source>From the side of the body that the focus is nearer to, rather than through the body, where both show about as much</source>
         <translation>Du côté du corps dont la cible est la plus proche plutôt qu&apos;à travers le corps, si les deux montrent à peu près autant</translation>
-    </message>
-    <message>
-        <source>Usual side</source>
-        <translation>Côté habituel</translation>
-    </message>
-    <message>
-        <source>How usual the view is: from the front rather than from the side, from behind, from above or below</source>
-        <translation>À quel point la vue est habituelle&#xa0;: de face plutôt que de côté, de dos, d&apos;en haut ou d&apos;en bas</translation>
-    </message>
-    <message>
-        <source>Last view</source>
-        <translation>Dernière vue</translation>
-    </message>
-    <message>
-        <source>How near the view is to the present one, so that it does not jump</source>
-        <translation>Proximité avec la vue actuelle, pour éviter un saut</translation>
-    </message>
-    <message>
-        <source>Shape</source>
-        <translation>Forme</translation>
-    </message>
-    <message>
-        <source>How well the view shows the structure&apos;s shape around the point: onto what is flat, across what is long</source>
-        <translation>Comment la vue montre la forme de la structure autour du point&#xa0;: de face si plate, en travers si longue</translation>
-    </message>
-    <message>
-        <source>Unhidden</source>
-        <translation>Dégagée</translation>
-    </message>
-    <message>
-        <source>How little hides the structure around the point, before anything is cut away</source>
-        <translation>Combien peu cache la structure autour du point, avant toute découpe</translation>
     </message>
 </context>
 <context>
@@ -2495,6 +2355,154 @@ Cosinus de l&apos;angle avec la plus proche des six</translation>
     <message>
         <source>image that is no overview, capture or reformat</source>
         <translation>image qui n&apos;est ni repérage, ni capture, ni reformatage</translation>
+    </message>
+    <message>
+        <source>As the desktop</source>
+        <translation>Comme le bureau</translation>
+    </message>
+    <message>
+        <source>How deep the focus lies; below 0 prefers views with little in front of it.
+vd1 = mean depth of the focus&apos;s pixels / diameter of the model&apos;s sphere</source>
+        <translation>Profondeur de la cible&#xa0;; sous 0, préfère les vues avec peu de choses devant.
+vd1 = profondeur moyenne des pixels de la cible / diamètre de la sphère du modèle</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Taille</translation>
+    </message>
+    <message>
+        <source>How large the focus is in the picture.
+vd2 = pixels of the focus / pixels of the picture</source>
+        <translation>Taille de la cible dans l&apos;image.
+vd2 = pixels de la cible / pixels de l&apos;image</translation>
+    </message>
+    <message>
+        <source>Centring</source>
+        <translation>Centrage</translation>
+    </message>
+    <message>
+        <source>How near to the middle of the picture it is.
+vd3 = 1 − distance of its centroid from the middle / distance of a corner</source>
+        <translation>Proximité du milieu de l&apos;image.
+vd3 = 1 − distance de son centre de gravité au milieu / distance d&apos;un coin</translation>
+    </message>
+    <message>
+        <source>Cut ends</source>
+        <translation>Extrémités coupées</translation>
+    </message>
+    <message>
+        <source>Below 0 avoids looking at the focus through a face where the scan cuts the body off.
+Share of the focus&apos;s pixels whose rays enter the volume inside the body</source>
+        <translation>Sous 0, évite de regarder la cible à travers une face où l&apos;acquisition coupe le corps.
+Part des pixels de la cible dont les rayons entrent dans le volume à l&apos;intérieur du corps</translation>
+    </message>
+    <message>
+        <source>Evenness</source>
+        <translation>Uniformité</translation>
+    </message>
+    <message>
+        <source>How much of its surface is seen.
+Viewpoint entropy −Σ p log p of the seen surface points, over its maximum (Bordoloi, Shen 2005)</source>
+        <translation>Part visible de sa surface.
+Entropie du point de vue −Σ p log p des points vus, sur son maximum (Bordoloi, Shen 2005)</translation>
+    </message>
+    <message>
+        <source>Typical</source>
+        <translation>Typique</translation>
+    </message>
+    <message>
+        <source>How typical the view is of all views.
+1 − Σ p(o|v) log(p(o|v) / p(o)) over its maximum (Viola et al. 2006)</source>
+        <translation>À quel point la vue est typique de toutes.
+1 − Σ p(o|v) log(p(o|v) / p(o)) sur son maximum (Viola et al. 2006)</translation>
+    </message>
+    <message>
+        <source>Steady</source>
+        <translation>Stable</translation>
+    </message>
+    <message>
+        <source>How little changes when the camera moves a bit.
+1 − Jensen–Shannon divergence to the eight nearest views</source>
+        <translation>Peu de changement quand la caméra bouge un peu.
+1 − divergence de Jensen-Shannon avec les huit vues voisines</translation>
+    </message>
+    <message>
+        <source>Standard view</source>
+        <translation>Vue standard</translation>
+    </message>
+    <message>
+        <source>How near the view is to anterior, left, superior …: a little decides between equally good views.
+Cosine of the angle to the nearest of the six</source>
+        <translation>Proximité de la vue avec antérieure, gauche, supérieure …&#xa0;: un peu départage des vues aussi bonnes.
+Cosinus de l&apos;angle avec la plus proche des six</translation>
+    </message>
+    <message>
+        <source>Not through cut ends</source>
+        <translation>Pas à travers les extrémités coupées</translation>
+    </message>
+    <message>
+        <source>No view within 45° of an end of the scan where the body goes on, while another one shows at least two thirds as much of the focus</source>
+        <translation>Aucune vue à moins de 45° d&apos;une extrémité de l&apos;acquisition où le corps continue, si une autre montre au moins deux tiers autant de la cible</translation>
+    </message>
+    <message>
+        <source>From around before from above</source>
+        <translation>D&apos;autour avant d&apos;en haut</translation>
+    </message>
+    <message>
+        <source>From the front, from behind, the left or the right rather than from above or below, where both show about as much</source>
+        <translation>De face, de dos, de gauche ou de droite plutôt que d&apos;en haut ou d&apos;en bas, si les deux montrent à peu près autant</translation>
+    </message>
+    <message>
+        <source>Thin stacks from the front</source>
+        <translation>Piles minces de face</translation>
+    </message>
+    <message>
+        <source>A stack of a few slices, or one much thinner than wide, is seen from the side from which its slices are shown, not edge-on</source>
+        <translation>Une pile de quelques coupes, ou bien plus mince que large, est vue du côté où ses coupes s&apos;affichent, pas par la tranche</translation>
+    </message>
+    <message>
+        <source>From the near side</source>
+        <translation>Du côté proche</translation>
+    </message>
+    <message>
+        <source>Language (at the next start)</source>
+        <translation>Langue (au prochain démarrage)</translation>
+    </message>
+    <message>
+        <source>Language of the window&apos;s texts and numbers; it changes when Fenestra starts again</source>
+        <translation>Langue des textes et des nombres de la fenêtre&#xa0;; elle change au redémarrage de Fenestra</translation>
+    </message>
+    <message>
+        <source>Usual side</source>
+        <translation>Côté habituel</translation>
+    </message>
+    <message>
+        <source>How usual the view is: from the front rather than from the side, from behind, from above or below</source>
+        <translation>À quel point la vue est habituelle&#xa0;: de face plutôt que de côté, de dos, d&apos;en haut ou d&apos;en bas</translation>
+    </message>
+    <message>
+        <source>Last view</source>
+        <translation>Dernière vue</translation>
+    </message>
+    <message>
+        <source>How near the view is to the present one, so that it does not jump</source>
+        <translation>Proximité avec la vue actuelle, pour éviter un saut</translation>
+    </message>
+    <message>
+        <source>Shape</source>
+        <translation>Forme</translation>
+    </message>
+    <message>
+        <source>How well the view shows the structure&apos;s shape around the point: onto what is flat, across what is long</source>
+        <translation>Comment la vue montre la forme de la structure autour du point&#xa0;: de face si plate, en travers si longue</translation>
+    </message>
+    <message>
+        <source>Unhidden</source>
+        <translation>Dégagée</translation>
+    </message>
+    <message>
+        <source>How little hides the structure around the point, before anything is cut away</source>
+        <translation>Combien peu cache la structure autour du point, avant toute découpe</translation>
     </message>
 </context>
 <context>

@@ -781,148 +781,8 @@
 <context>
     <name>PlacementForm</name>
     <message>
-        <source>Depth</source>
-        <translation>深度</translation>
-    </message>
-    <message>
-        <source>How deep the focus lies; below 0 prefers views with little in front of it.
-vd1 = mean depth of the focus&apos;s pixels / diameter of the model&apos;s sphere</source>
-        <translation>焦点的深度；小于 0 时优先选择前方遮挡少的视角。
-vd1 = 焦点像素的平均深度 / 模型包围球直径</translation>
-    </message>
-    <message>
-        <source>Size</source>
-        <translation>大小</translation>
-    </message>
-    <message>
-        <source>How large the focus is in the picture.
-vd2 = pixels of the focus / pixels of the picture</source>
-        <translation>焦点在图像中的大小。
-vd2 = 焦点像素数 / 图像像素数</translation>
-    </message>
-    <message>
-        <source>Centring</source>
-        <translation>居中</translation>
-    </message>
-    <message>
-        <source>How near to the middle of the picture it is.
-vd3 = 1 − distance of its centroid from the middle / distance of a corner</source>
-        <translation>距图像中心的远近。
-vd3 = 1 − 质心到中心的距离 / 角到中心的距离</translation>
-    </message>
-    <message>
-        <source>Cut ends</source>
-        <translation>扫描断端</translation>
-    </message>
-    <message>
-        <source>Below 0 avoids looking at the focus through a face where the scan cuts the body off.
-Share of the focus&apos;s pixels whose rays enter the volume inside the body</source>
-        <translation>小于 0 时避免透过扫描截断身体的面观察焦点。
-光线在身体内部进入体数据的焦点像素比例</translation>
-    </message>
-    <message>
-        <source>Evenness</source>
-        <translation>均匀性</translation>
-    </message>
-    <message>
-        <source>How much of its surface is seen.
-Viewpoint entropy −Σ p log p of the seen surface points, over its maximum (Bordoloi, Shen 2005)</source>
-        <translation>可见表面的多少。
-可见表面点的视点熵 −Σ p log p 与其最大值之比 (Bordoloi, Shen 2005)</translation>
-    </message>
-    <message>
-        <source>Typical</source>
-        <translation>典型性</translation>
-    </message>
-    <message>
-        <source>How typical the view is of all views.
-1 − Σ p(o|v) log(p(o|v) / p(o)) over its maximum (Viola et al. 2006)</source>
-        <translation>该视角在所有视角中的典型程度。
-1 − Σ p(o|v) log(p(o|v) / p(o)) 与其最大值之比 (Viola et al. 2006)</translation>
-    </message>
-    <message>
-        <source>Steady</source>
-        <translation>稳定性</translation>
-    </message>
-    <message>
-        <source>How little changes when the camera moves a bit.
-1 − Jensen–Shannon divergence to the eight nearest views</source>
-        <translation>相机稍动时变化的大小。
-1 − 与八个最近视角的 Jensen–Shannon 散度</translation>
-    </message>
-    <message>
-        <source>Standard view</source>
-        <translation>标准视角</translation>
-    </message>
-    <message>
-        <source>How near the view is to anterior, left, superior …: a little decides between equally good views.
-Cosine of the angle to the nearest of the six</source>
-        <translation>视角与前、左、上等标准方向的接近程度：少量权重即可在同样好的视角间取舍。
-与六个方向中最近者夹角的余弦</translation>
-    </message>
-    <message>
-        <source>Not through cut ends</source>
-        <translation>不透过断端</translation>
-    </message>
-    <message>
-        <source>No view within 45° of an end of the scan where the body goes on, while another one shows at least two thirds as much of the focus</source>
-        <translation>若另一视角至少能显示三分之二的焦点，则不取扫描断端 45° 以内的视角</translation>
-    </message>
-    <message>
-        <source>From around before from above</source>
-        <translation>水平环视优先于俯视</translation>
-    </message>
-    <message>
-        <source>From the front, from behind, the left or the right rather than from above or below, where both show about as much</source>
-        <translation>显示内容相近时，优先从前、后、左、右而非上、下观察</translation>
-    </message>
-    <message>
-        <source>Thin stacks from the front</source>
-        <translation>薄层堆叠取正面</translation>
-    </message>
-    <message>
-        <source>A stack of a few slices, or one much thinner than wide, is seen from the side from which its slices are shown, not edge-on</source>
-        <translation>层面很少或厚度远小于宽度的堆叠从显示层面的一侧观察，而非侧边</translation>
-    </message>
-    <message>
-        <source>From the near side</source>
-        <translation>取较近一侧</translation>
-    </message>
-    <message>
         <source>From the side of the body that the focus is nearer to, rather than through the body, where both show about as much</source>
         <translation>显示内容相近时，从焦点较近的身体一侧观察，而非穿过身体</translation>
-    </message>
-    <message>
-        <source>Usual side</source>
-        <translation>常用方向</translation>
-    </message>
-    <message>
-        <source>How usual the view is: from the front rather than from the side, from behind, from above or below</source>
-        <translation>视角的常用程度：正面优先于侧面、背面、上方或下方</translation>
-    </message>
-    <message>
-        <source>Last view</source>
-        <translation>上次视角</translation>
-    </message>
-    <message>
-        <source>How near the view is to the present one, so that it does not jump</source>
-        <translation>与当前视角的接近程度，避免跳变</translation>
-    </message>
-    <message>
-        <source>Shape</source>
-        <translation>形状</translation>
-    </message>
-    <message>
-        <source>How well the view shows the structure&apos;s shape around the point: onto what is flat, across what is long</source>
-        <translation>视角对该点周围结构形状的显示程度：扁平者取正面，细长者取横向</translation>
-    </message>
-    <message>
-        <source>Unhidden</source>
-        <translation>无遮挡</translation>
-    </message>
-    <message>
-        <source>How little hides the structure around the point, before anything is cut away</source>
-        <translation>在切除任何组织之前，该点周围结构被遮挡的程度有多小</translation>
     </message>
 </context>
 <context>
@@ -2495,6 +2355,154 @@ Cosine of the angle to the nearest of the six</source>
     <message>
         <source>image that is no overview, capture or reformat</source>
         <translation>非定位像、截屏或重组的图像</translation>
+    </message>
+    <message>
+        <source>As the desktop</source>
+        <translation>跟随桌面</translation>
+    </message>
+    <message>
+        <source>How deep the focus lies; below 0 prefers views with little in front of it.
+vd1 = mean depth of the focus&apos;s pixels / diameter of the model&apos;s sphere</source>
+        <translation>焦点的深度；小于 0 时优先选择前方遮挡少的视角。
+vd1 = 焦点像素的平均深度 / 模型包围球直径</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>大小</translation>
+    </message>
+    <message>
+        <source>How large the focus is in the picture.
+vd2 = pixels of the focus / pixels of the picture</source>
+        <translation>焦点在图像中的大小。
+vd2 = 焦点像素数 / 图像像素数</translation>
+    </message>
+    <message>
+        <source>Centring</source>
+        <translation>居中</translation>
+    </message>
+    <message>
+        <source>How near to the middle of the picture it is.
+vd3 = 1 − distance of its centroid from the middle / distance of a corner</source>
+        <translation>距图像中心的远近。
+vd3 = 1 − 质心到中心的距离 / 角到中心的距离</translation>
+    </message>
+    <message>
+        <source>Cut ends</source>
+        <translation>扫描断端</translation>
+    </message>
+    <message>
+        <source>Below 0 avoids looking at the focus through a face where the scan cuts the body off.
+Share of the focus&apos;s pixels whose rays enter the volume inside the body</source>
+        <translation>小于 0 时避免透过扫描截断身体的面观察焦点。
+光线在身体内部进入体数据的焦点像素比例</translation>
+    </message>
+    <message>
+        <source>Evenness</source>
+        <translation>均匀性</translation>
+    </message>
+    <message>
+        <source>How much of its surface is seen.
+Viewpoint entropy −Σ p log p of the seen surface points, over its maximum (Bordoloi, Shen 2005)</source>
+        <translation>可见表面的多少。
+可见表面点的视点熵 −Σ p log p 与其最大值之比 (Bordoloi, Shen 2005)</translation>
+    </message>
+    <message>
+        <source>Typical</source>
+        <translation>典型性</translation>
+    </message>
+    <message>
+        <source>How typical the view is of all views.
+1 − Σ p(o|v) log(p(o|v) / p(o)) over its maximum (Viola et al. 2006)</source>
+        <translation>该视角在所有视角中的典型程度。
+1 − Σ p(o|v) log(p(o|v) / p(o)) 与其最大值之比 (Viola et al. 2006)</translation>
+    </message>
+    <message>
+        <source>Steady</source>
+        <translation>稳定性</translation>
+    </message>
+    <message>
+        <source>How little changes when the camera moves a bit.
+1 − Jensen–Shannon divergence to the eight nearest views</source>
+        <translation>相机稍动时变化的大小。
+1 − 与八个最近视角的 Jensen–Shannon 散度</translation>
+    </message>
+    <message>
+        <source>Standard view</source>
+        <translation>标准视角</translation>
+    </message>
+    <message>
+        <source>How near the view is to anterior, left, superior …: a little decides between equally good views.
+Cosine of the angle to the nearest of the six</source>
+        <translation>视角与前、左、上等标准方向的接近程度：少量权重即可在同样好的视角间取舍。
+与六个方向中最近者夹角的余弦</translation>
+    </message>
+    <message>
+        <source>Not through cut ends</source>
+        <translation>不透过断端</translation>
+    </message>
+    <message>
+        <source>No view within 45° of an end of the scan where the body goes on, while another one shows at least two thirds as much of the focus</source>
+        <translation>若另一视角至少能显示三分之二的焦点，则不取扫描断端 45° 以内的视角</translation>
+    </message>
+    <message>
+        <source>From around before from above</source>
+        <translation>水平环视优先于俯视</translation>
+    </message>
+    <message>
+        <source>From the front, from behind, the left or the right rather than from above or below, where both show about as much</source>
+        <translation>显示内容相近时，优先从前、后、左、右而非上、下观察</translation>
+    </message>
+    <message>
+        <source>Thin stacks from the front</source>
+        <translation>薄层堆叠取正面</translation>
+    </message>
+    <message>
+        <source>A stack of a few slices, or one much thinner than wide, is seen from the side from which its slices are shown, not edge-on</source>
+        <translation>层面很少或厚度远小于宽度的堆叠从显示层面的一侧观察，而非侧边</translation>
+    </message>
+    <message>
+        <source>From the near side</source>
+        <translation>取较近一侧</translation>
+    </message>
+    <message>
+        <source>Language (at the next start)</source>
+        <translation>语言（下次启动时）</translation>
+    </message>
+    <message>
+        <source>Language of the window&apos;s texts and numbers; it changes when Fenestra starts again</source>
+        <translation>窗口文字和数字的语言；重新启动 Fenestra 后生效</translation>
+    </message>
+    <message>
+        <source>Usual side</source>
+        <translation>常用方向</translation>
+    </message>
+    <message>
+        <source>How usual the view is: from the front rather than from the side, from behind, from above or below</source>
+        <translation>视角的常用程度：正面优先于侧面、背面、上方或下方</translation>
+    </message>
+    <message>
+        <source>Last view</source>
+        <translation>上次视角</translation>
+    </message>
+    <message>
+        <source>How near the view is to the present one, so that it does not jump</source>
+        <translation>与当前视角的接近程度，避免跳变</translation>
+    </message>
+    <message>
+        <source>Shape</source>
+        <translation>形状</translation>
+    </message>
+    <message>
+        <source>How well the view shows the structure&apos;s shape around the point: onto what is flat, across what is long</source>
+        <translation>视角对该点周围结构形状的显示程度：扁平者取正面，细长者取横向</translation>
+    </message>
+    <message>
+        <source>Unhidden</source>
+        <translation>无遮挡</translation>
+    </message>
+    <message>
+        <source>How little hides the structure around the point, before anything is cut away</source>
+        <translation>在切除任何组织之前，该点周围结构被遮挡的程度有多小</translation>
     </message>
 </context>
 <context>

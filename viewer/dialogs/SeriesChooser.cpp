@@ -7,6 +7,7 @@
 #include <QPixmap>
 #include <QVBoxLayout>
 
+#include "viewer/model/NumberText.h"
 #include "viewer/model/PatientLines.h"
 
 namespace fenestra::viewer {
@@ -29,9 +30,7 @@ QString descriptionOf(const io::SeriesInfo& series) {
 /// "1.5 mm", and the step between slices where it is another one.
 QString thicknessOf(const io::SeriesInfo& series) {
   constexpr double alike = 0.01;  // mm: headers round to it
-  const auto text = [](double millimetres) {
-    return SeriesChooser::tr("%1 mm").arg(QString::number(millimetres, 'g', 3));
-  };
+  const auto text = [](double millimetres) { return SeriesChooser::tr("%1 mm").arg(numberText(millimetres, 3, 'g')); };
   if (series.thickness <= 0.0)
     return series.step > 0.0 ? SeriesChooser::tr("every %1").arg(text(series.step)) : QString();
   if (series.step <= 0.0 || std::abs(series.step - series.thickness) < alike) return text(series.thickness);
