@@ -174,6 +174,8 @@ void MainWindow::applyPreference(Preference which) {
     case Preference::KeepsRecent:
     case Preference::ArchiveGigabytes:
       return;  // takes effect when something is opened
+    case Preference::Language:
+      return;  // at the next start: texts are set once, when their widgets are made
   }
 }
 

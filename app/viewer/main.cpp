@@ -1,6 +1,7 @@
 // fenestra: the window. Exit codes as for fenestra-cli: 0 done, 1 the input or the machine is at fault, 2 wrong usage.
 
 #include <algorithm>
+#include <clocale>
 #include <cstdlib>
 #include <iostream>
 #include <optional>
@@ -9,7 +10,6 @@
 
 #include <QApplication>
 #include <QIcon>
-#include <QLocale>
 
 #include "app/SceneOptions.h"
 #include "app/ScheduleChoice.h"
@@ -23,6 +23,8 @@
 #include "viewer/MainWindow.h"
 #include "viewer/files/Sessions.h"
 #include "viewer/guide/Tour.h"
+#include "viewer/model/Languages.h"
+#include "viewer/model/Preferences.h"
 #include "viewer/style/Style.h"
 
 namespace fenestra::viewer {
@@ -78,6 +80,7 @@ struct Request {
   MainWindow::Patient patient = MainWindow::Patient::Hidden;  ///< in the screenshot
   std::optional<Effort> atRest;                               ///< unset: as remembered
   std::optional<Schedule> schedule;                           ///< unset: the faster one
+  std::optional<std::string> language;                        ///< unset: as remembered
   bool welcomes = false;                                      ///< nothing was asked for: opens nothing
   /// A session or a preset sets all of them, too.
   bool setsBackground = false, setsUnit = false;
@@ -91,6 +94,14 @@ struct Request {
     return asked;
   }
 };
+
+/// "en, de, es, fr, zh_CN"
+std::string languageCodes() {
+  std::string codes;
+  for (const Language& each : languages)
+    if (*each.code) codes += (codes.empty() ? "" : ", ") + std::string(each.code);
+  return codes;
+}
 
 /// Reads the command line into `request`. Returns an exit code when the program should end at once.
 std::optional<int> parse(int argc, char** argv, Request& request) {
@@ -109,6 +120,13 @@ std::optional<int> parse(int argc, char** argv, Request& request) {
               [&](const std::string& path) {
                 request.screenshot = path;
                 return true;
+              });
+  options.add("--language", "CODE",
+              "language of the window: " + languageCodes() + "; the desktop's unless given or set",
+              [&](const std::string& code) {
+                request.language = code;
+                return std::any_of(languages.begin() + 1, languages.end(),
+                                   [&](const Language& each) { return each.code == code; });
               });
   bool withPatient = false;
   options.addFlag("--with-patient", withPatient, "let the screenshot show the patient's name, number, sex and dates");
@@ -141,12 +159,17 @@ std::optional<int> parse(int argc, char** argv, Request& request) {
   return std::nullopt;
 }
 
-void setUp(QApplication& application) {
-  QLocale::setDefault(QLocale::c());
+void setUp(QApplication& application, const Request& request) {
+  // QApplication takes the desktop's locale for the C library, too, with which libraries would write numbers into files
+  // with a decimal comma.
+  std::setlocale(LC_NUMERIC, "C");
   application.setApplicationName(QStringLiteral("Fenestra"));
   application.setOrganizationName(QStringLiteral("Fenestra"));
   application.setApplicationVersion(QStringLiteral(FENESTRA_VERSION));
   application.setDesktopFileName(QStringLiteral(FENESTRA_APP_ID));
+  // A screenshot has the defaults of a new user.
+  const Preferences preferences(request.screenshot.empty() ? Preferences::Mode::Stored : Preferences::Mode::Transient);
+  speak(request.language.value_or(preferences.language()));
   applyStyle(application);
 }
 
@@ -193,7 +216,7 @@ int main(int argc, char** argv) {
   qInstallMessageHandler(handleQtMessage);
   requestOpenGl();
   QApplication application(argc, argv);
-  setUp(application);
+  setUp(application, request);
   const bool stays = request.screenshot.empty();
   const GlSupport gl = probeOpenGl();
   if (!gl.available && !stays) tell(gl.problem.toStdString());

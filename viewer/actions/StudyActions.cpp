@@ -11,6 +11,7 @@
 #include "viewer/dialogs/SettingsDialog.h"
 #include "viewer/dialogs/WindowLevelDialog.h"
 #include "viewer/exports/PictureExports.h"
+#include "viewer/model/Translation.h"
 #include "viewer/model/WindowPresets.h"
 #include "viewer/model/Workspace.h"
 #include "viewer/style/Style.h"
@@ -61,7 +62,7 @@ void Actions::makeWindowLevelMenu() {
   menu->addAction(volumeAction(tr("Of the data"), QKeySequence(tr("1")), [&document] { document.resetWindow(); }));
   for (const WindowPreset& preset : ctWindowPresets)
     menu->addAction(volumeAction(
-        tr("CT %1  (%2 / %3)").arg(tr(preset.name)).arg(preset.window.width).arg(preset.window.level),
+        tr("CT %1  (%2 / %3)").arg(translated(preset.name)).arg(preset.window.width).arg(preset.window.level),
         QKeySequence(QString::number(preset.key)), [&document, &preset] { document.setWindow(preset.window); }));
   menu->addSeparator();
   menu->addAction(volumeAction(tr("By &number…"), QKeySequence(tr("W")), [this, &document] {

@@ -22,7 +22,7 @@ constexpr qint64 readable = 500;
 /// "L 12.3  P 45.0  S 101.2 mm": the patient's own directions instead of signs.
 QString patientCoordinates(glm::dvec3 world) {
   const auto one = [](double value, char positive, char negative) {
-    return QStringLiteral("%1 %2").arg(QLatin1Char(value < 0.0 ? negative : positive)).arg(std::abs(value), 0, 'f', 1);
+    return QStringLiteral("%1 %L2").arg(QLatin1Char(value < 0.0 ? negative : positive)).arg(std::abs(value), 0, 'f', 1);
   };
   return QStringLiteral("%1   %2   %3 mm").arg(one(world.x, 'L', 'R'), one(world.y, 'P', 'A'), one(world.z, 'S', 'I'));
 }

@@ -7,6 +7,7 @@
 #include "rendering/scene/Explosion.h"
 #include "rendering/scene/Peel.h"
 #include "viewer/model/FramePacer.h"
+#include "viewer/model/NumberText.h"
 
 namespace fenestra::viewer {
 namespace {
@@ -23,7 +24,7 @@ QString counted(std::size_t count, const QString& one, const QString& many) {
 
 void alter(Causes& causes, const QString& text) { causes.push_back({Fidelity::Altered, text}); }
 
-QString mm(double length) { return QString::number(length, 'g', 3); }
+QString mm(double length) { return numberText(length, 3, 'g'); }
 
 /// What was done to the slices of an irregular series.
 void addGeometry(Causes& causes, const io::GeometryReport& report, const PictureState& state) {

@@ -39,10 +39,9 @@ void FramePacer::setAtRest(Quality quality, std::optional<double> maxError) {
 }
 
 QString nameOf(const Effort& effort) {
-  const auto translated = [](const char* text) { return QCoreApplication::translate("FramePacer", text); };
-  if (!effort.maxError && effort.quality == Quality::Draft) return translated("draft");
-  if (!effort.maxError && effort.quality == Quality::Normal) return translated("normal");
-  return translated("error ≤ %1/255").arg(effort.maxError.value_or(highQualityError));
+  if (!effort.maxError && effort.quality == Quality::Draft) return QCoreApplication::translate("FramePacer", "draft");
+  if (!effort.maxError && effort.quality == Quality::Normal) return QCoreApplication::translate("FramePacer", "normal");
+  return QCoreApplication::translate("FramePacer", "error ≤ %1/255").arg(effort.maxError.value_or(highQualityError));
 }
 
 /// Milliseconds that the pictures of a frame may take together.

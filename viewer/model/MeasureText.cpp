@@ -45,9 +45,7 @@ QString nameOf(MeasureKind kind) {
   return MeasureWords::tr("Rectangle");
 }
 
-QString valueText(double value, ValueRange range) {
-  return QString::number(value, 'f', range.high - range.low < 20.0 ? 3 : 0);
-}
+QString valueText(double value, ValueRange range) { return numberText(value, range.high - range.low < 20.0 ? 3 : 0); }
 
 QStringList linesOf(const MeasureValues& values, const Volume& volume) {
   QStringList lines;

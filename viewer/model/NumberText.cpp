@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include <QCoreApplication>
+#include <QLocale>
 
 namespace fenestra::viewer {
 namespace {
@@ -15,14 +16,16 @@ struct NumberWords {
 /// Three digits at least; all before the point, in groups of three.
 QString digits(double value) {
   const int decimals = value > 0.0 ? std::clamp(2 - static_cast<int>(std::floor(std::log10(value))), 0, 4) : 0;
-  QString text = QString::number(value, 'f', decimals);
-  qsizetype point = text.indexOf(QLatin1Char('.'));
+  QString text = numberText(value, decimals);
+  qsizetype point = text.indexOf(QLocale().decimalPoint());
   if (point < 0) point = text.size();
   for (qsizetype at = point - 3; at > 0; at -= 3) text.insert(at, QChar(QChar::Nbsp));
   return text;
 }
 
 }  // namespace
+
+QString numberText(double value, int decimals, char format) { return QLocale().toString(value, format, decimals); }
 
 QString volumeText(double ml) {
   constexpr double perLitre = 1000.0, mostMl = 10.0 * perLitre;

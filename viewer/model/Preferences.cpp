@@ -8,6 +8,7 @@
 
 #include "rendering/settings/Settings.h"
 #include "rendering/viewpoints/Sphere.h"
+#include "viewer/model/Languages.h"
 #include "viewer/model/Paths.h"
 #include "viewer/model/PlacementWeights.h"
 
@@ -49,9 +50,21 @@ std::vector<const char*> widthUnits() {
   return names;
 }
 
+std::vector<const char*> languageNames() {
+  std::vector<const char*> names;
+  for (const Language& each : languages) names.push_back(each.name);
+  return names;
+}
+
 using Kind = PreferenceEntry::Kind;
 
 constexpr std::array table{
+    PreferenceEntry{
+        Preference::Language, Kind::Choice, "window/language",
+        QT_TRANSLATE_NOOP("Settings", "Language (at the next start)"),
+        QT_TRANSLATE_NOOP("Settings",
+                          "Language of the window's texts and numbers; it changes when Fenestra starts again"),
+        0, 0, static_cast<int>(languages.size()) - 1, "", languageNames},
     PreferenceEntry{Preference::LightTheme, Kind::Switch, "window/lightTheme",
                     QT_TRANSLATE_NOOP("Settings", "Light theme"),
                     QT_TRANSLATE_NOOP("Settings", "Light colours around the pictures, for bright rooms")},
@@ -117,6 +130,10 @@ void Preferences::set(Preference which, int wanted) {
   store(QLatin1String(entry.key), entry.kind == Kind::Switch ? QVariant(number != 0) : QVariant(number));
   if (which == Preference::KeepsRecent && number == 0) clearRecent();
   Q_EMIT changed(which);
+}
+
+const char* Preferences::language() const {
+  return languages[static_cast<std::size_t>(value(Preference::Language))].code;
 }
 
 void Preferences::restoreDefaults() {

@@ -23,6 +23,7 @@ namespace fenestra::viewer {
 
 /// The settings of the settings dialog.
 enum class Preference : std::uint8_t {
+  Language,
   LightTheme,
   AnimatedCameras,
   PicturesPerSecond,
@@ -59,6 +60,8 @@ class Preferences : public QObject {
 
   explicit Preferences(Mode mode = Mode::Stored);
 
+  /// The code of the language that was chosen (Languages.h); empty: the desktop's.
+  const char* language() const;
   /// A stored value out of range counts as the default.
   int value(Preference which) const;
   bool isOn(Preference which) const { return value(which) != 0; }

@@ -22,7 +22,7 @@ struct RegionWords {
 /// Whole numbers, or as many digits as `scale`, a spread of the values, gives sense to.
 QString number(double value, double scale) {
   const int decimals = scale > 0.0 ? std::clamp(1 - static_cast<int>(std::floor(std::log10(scale))), 0, 6) : 0;
-  return QString::number(value, 'f', decimals);
+  return numberText(value, decimals);
 }
 
 QString borderSentence(const RegionFacts& facts, const QString& unit) {

@@ -5,6 +5,7 @@
 #include <QCoreApplication>
 #include <QStringList>
 
+#include "viewer/model/NumberText.h"
 #include "viewer/model/PatientLines.h"
 
 namespace fenestra::viewer {
@@ -22,9 +23,7 @@ QString joined(QStringList parts) {
 /// "1.5 mm", and the step between slices where it is another one.
 QString thicknessText(const io::SeriesInfo& series) {
   constexpr double alike = 0.01;  // mm: headers round to it
-  const auto text = [](double millimetres) {
-    return SeriesWords::tr("%1 mm").arg(QString::number(millimetres, 'g', 3));
-  };
+  const auto text = [](double millimetres) { return SeriesWords::tr("%1 mm").arg(numberText(millimetres, 3, 'g')); };
   if (series.thickness <= 0.0)
     return series.step > 0.0 ? SeriesWords::tr("every %1").arg(text(series.step)) : QString();
   if (series.step <= 0.0 || std::abs(series.step - series.thickness) < alike) return text(series.thickness);

@@ -17,6 +17,7 @@
 
 #include "rendering/settings/Settings.h"
 #include "viewer/model/Document.h"
+#include "viewer/model/Translation.h"
 #include "viewer/panels/LabelModel.h"
 #include "viewer/style/Overlay.h"
 #include "viewer/style/Style.h"
@@ -167,8 +168,7 @@ void LabelList::addRoles(QMenu& menu, std::uint16_t label) {
   };
   add(std::nullopt, "role-focus", tr("Focus"), tr("What the view opens to"));
   for (const Word<LabelRole>& each : wordsOf(LabelRole{}))
-    add(each.value, (std::string("role-") + each.word).c_str(), QLatin1String(each.name),
-        QLatin1String(each.description));
+    add(each.value, (std::string("role-") + each.word).c_str(), translated(each.name), translated(each.description));
   menu.addSeparator();
   QAction* exempt =
       menu.addAction(tr("Never clipped"), this, [this, label](bool on) { document_.setExempt(label, on); });

@@ -11,6 +11,7 @@
 #include "viewer/model/Document.h"
 #include "viewer/model/LabelName.h"
 #include "viewer/model/PlacementController.h"
+#include "viewer/model/Translation.h"
 #include "viewer/style/Overlay.h"
 #include "viewer/style/Style.h"
 
@@ -144,9 +145,9 @@ QVariant LabelModel::settingData(std::size_t label, int column, int role) const 
     case Role:
       if (drawn) return roleIcon(labelRole);
       if (!tip) return {};
-      return labelRole ? tr("%1: %2").arg(QLatin1String(wordOf(*labelRole).name),
-                                          QLatin1String(wordOf(*labelRole).description))
-                       : tr("Focus: what the view opens to");
+      return labelRole
+                 ? tr("%1: %2").arg(translated(wordOf(*labelRole).name), translated(wordOf(*labelRole).description))
+                 : tr("Focus: what the view opens to");
     case Opacity:
       if (role == Qt::DisplayRole) return percent(setting.opacity);
       if (role == Qt::EditRole) return static_cast<int>(std::lround(100.0 * setting.opacity));

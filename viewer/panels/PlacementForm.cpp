@@ -5,6 +5,7 @@
 #include <QVBoxLayout>
 
 #include "viewer/model/PlacementController.h"
+#include "viewer/model/Translation.h"
 #include "viewer/panels/SliderSpin.h"
 
 namespace fenestra::viewer {
@@ -16,21 +17,21 @@ struct PickWeight {
   double placement::LiveSyncWeights::*member;
 };
 constexpr std::array<PickWeight, 4> pickWeights{{
-    {QT_TRANSLATE_NOOP("PlacementForm", "Usual side"),
-     QT_TRANSLATE_NOOP("PlacementForm",
+    {QT_TRANSLATE_NOOP("Settings", "Usual side"),
+     QT_TRANSLATE_NOOP("Settings",
                        "How usual the view is: from the front rather than from the side, from behind, from above or "
                        "below"),
      &placement::LiveSyncWeights::orientation},
-    {QT_TRANSLATE_NOOP("PlacementForm", "Last view"),
-     QT_TRANSLATE_NOOP("PlacementForm", "How near the view is to the present one, so that it does not jump"),
+    {QT_TRANSLATE_NOOP("Settings", "Last view"),
+     QT_TRANSLATE_NOOP("Settings", "How near the view is to the present one, so that it does not jump"),
      &placement::LiveSyncWeights::history},
-    {QT_TRANSLATE_NOOP("PlacementForm", "Shape"),
-     QT_TRANSLATE_NOOP("PlacementForm",
+    {QT_TRANSLATE_NOOP("Settings", "Shape"),
+     QT_TRANSLATE_NOOP("Settings",
                        "How well the view shows the structure's shape around the point: onto what is flat, across what "
                        "is long"),
      &placement::LiveSyncWeights::shape},
-    {QT_TRANSLATE_NOOP("PlacementForm", "Unhidden"),
-     QT_TRANSLATE_NOOP("PlacementForm", "How little hides the structure around the point, before anything is cut away"),
+    {QT_TRANSLATE_NOOP("Settings", "Unhidden"),
+     QT_TRANSLATE_NOOP("Settings", "How little hides the structure around the point, before anything is cut away"),
      &placement::LiveSyncWeights::visibility},
 }};
 
@@ -106,8 +107,8 @@ void PlacementForm::makeRows() {
 
 void PlacementForm::addHabits(QFormLayout& form) {
   for (std::size_t i = 0; i < placementHabits.size(); ++i) {
-    habits_[i] = new QCheckBox(tr(placementHabits[i].name));
-    habits_[i]->setToolTip(tr(placementHabits[i].meaning));
+    habits_[i] = new QCheckBox(translated(placementHabits[i].name));
+    habits_[i]->setToolTip(translated(placementHabits[i].meaning));
     form.addRow(habits_[i]);
     connect(habits_[i], &QCheckBox::clicked, this, [this, member = placementHabits[i].member](bool on) {
       edit([=](PlacementSettings& settings) { settings.options.habits.*member = on; });
@@ -122,8 +123,8 @@ void PlacementForm::addWeights(QFormLayout& form) {
   for (std::size_t i = 0; i < placementWeights.size(); ++i) {
     const PlacementWeight& row = placementWeights[i];
     weights_[i] = new SliderSpin(row.low, row.high, row.step);
-    weights_[i]->setToolTip(tr(row.meaning));
-    (i < mainPlacementWeights ? &form : furtherForm)->addRow(tr(row.name), weights_[i]);
+    weights_[i]->setToolTip(translated(row.meaning));
+    (i < mainPlacementWeights ? &form : furtherForm)->addRow(translated(row.name), weights_[i]);
     connect(weights_[i], &SliderSpin::edited, this, [this, member = row.member](double value) {
       edit([=](PlacementSettings& settings) { settings.options.weights.*member = value; });
     });
@@ -149,8 +150,8 @@ QWidget* PlacementForm::makePickRows() {
   form->setContentsMargins(0, 0, 0, 0);
   for (std::size_t i = 0; i < pickWeights.size(); ++i) {
     pickWeights_[i] = new SliderSpin(0.0, 4.0, 0.05);
-    pickWeights_[i]->setToolTip(tr(pickWeights[i].meaning));
-    form->addRow(tr(pickWeights[i].name), pickWeights_[i]);
+    pickWeights_[i]->setToolTip(translated(pickWeights[i].meaning));
+    form->addRow(translated(pickWeights[i].name), pickWeights_[i]);
     connect(pickWeights_[i], &SliderSpin::edited, this, [this, member = pickWeights[i].member](double value) {
       edit([=](PlacementSettings& settings) { settings.liveSync.weights.*member = value; });
     });

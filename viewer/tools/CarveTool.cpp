@@ -83,7 +83,7 @@ void CarveTool::finish(QPointF position) {
   extendTo(position);
   Removals removals = document_.removals();
   removals.push_back(carvedAlong(stroke_, carving_.settings(), canvas_.axesAt(stroke_.front())));
-  const QString shape = translated(wordOf(carving_.settings().shape).name).toLower();
+  const QString shape = translated(wordOf(carving_.settings().shape).name);
   document_.setRemovals(std::move(removals), Carving::tr("Carve: %1").arg(shape));
 }
 
