@@ -38,6 +38,13 @@ struct SliceOptions {
 };
 void slice(const SliceOptions& options);
 
+struct MeasureOptions {
+  io::DataRequest data;             ///< with labels
+  std::vector<std::string> labels;  ///< those to measure, by value or name; all when empty
+};
+/// Prints volume, values and place of each label as JSON.
+void measure(const MeasureOptions& options);
+
 struct SurfaceOptions {
   io::StudyRequest study;
   std::filesystem::path output;

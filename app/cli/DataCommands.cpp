@@ -1,4 +1,4 @@
-// info, convert, slice and surface: commands on a volume and its labels, without a picture in 3-D.
+// info, convert, measure, slice and surface: commands on a volume and its labels, without a picture in 3-D.
 
 #include "app/cli/Commands.h"
 
@@ -16,6 +16,7 @@
 #include "io/study/LabelNames.h"
 #include "io/study/ReadStudy.h"
 #include "io/surface/Surface.h"
+#include "rendering/volume/LabelStatistics.h"
 
 namespace fenestra::cli {
 namespace {
@@ -211,6 +212,34 @@ void convert(const ConvertOptions& options) {
   if (!options.labels.empty()) output.only = io::resolveLabels(*labels, options.labels, source);
   output.series = study.series.files;
   io::writeLabels(*labels, options.output, output, progressOnTerminal());
+}
+
+void measure(const MeasureOptions& options) {
+  const io::Study study = io::openData(options.data, progressOnTerminal());
+  printWarnings(study.warnings);
+  const std::shared_ptr<const LabelMap>& labels = study.scene.labels;
+  const std::filesystem::path source = options.data.labelSource();
+  if (!labels) throw io::Error(source, "has no labels to measure", "name a label map with --labels");
+  std::vector<std::uint16_t> only;
+  if (!options.labels.empty()) only = io::resolveLabels(*labels, options.labels, source);
+  Json rows = Json::array();
+  for (const LabelStatistics& of : labelStatistics(*labels, *study.scene.volume)) {
+    if (!only.empty() && !std::binary_search(only.begin(), only.end(), of.label)) continue;
+    const auto ifAny = [](bool any, const Json& value) { return any ? value : Json(nullptr); };
+    const bool hasValues = of.valued > 0, hasVoxels = of.voxels > 0;
+    rows.push_back({{"label", of.label},
+                    {"name", labels->find(of.label)->name},
+                    {"voxels", of.voxels},
+                    {"ml", of.millilitres},
+                    {"valued_voxels", of.valued},
+                    {"mean", ifAny(hasValues, of.mean)},
+                    {"sd", ifAny(hasValues, of.deviation)},
+                    {"min", ifAny(hasValues, of.least)},
+                    {"max", ifAny(hasValues, of.greatest)},
+                    {"centre_lps", ifAny(hasVoxels, list(of.centre))},
+                    {"box_lps", ifAny(hasVoxels, {list(of.low), list(of.high)})}});
+  }
+  printJson(Json{{"unit", study.scene.volume->unit}, {"labels", std::move(rows)}});
 }
 
 void surface(const SurfaceOptions& options) {

@@ -106,6 +106,16 @@ Runnable addConvert(app::Program& program, ConvertOptions& options) {
   return {command, &options.data, [&] { return convert(options), true; }};
 }
 
+Runnable addMeasure(app::Program& program, MeasureOptions& options) {
+  const app::Command command = program.addCommand(
+      "measure", "volume, mean, standard deviation, range and place of each label, or of --focus-labels, as JSON");
+  app::addVolumeOptions(command, options.data);
+  command.group("Labels");
+  app::addLabelChoice(command, options.data, options.labels);
+  command.atLast([command] { requireSource(command); });
+  return {command, &options.data, [&] { return measure(options), true; }};
+}
+
 Runnable addSurface(app::Program& program, SurfaceOptions& options) {
   const app::Command command = program.addCommand("surface", "the focus as a closed surface of triangles");
   addScene(command, options.study);
@@ -259,6 +269,7 @@ int main(int argc, char** argv) {
   program.setHelpColumn(40);
   InfoOptions infoOptions;
   ConvertOptions convertOptions;
+  MeasureOptions measureOptions;
   SliceOptions sliceOptions;
   SurfaceOptions surfaceOptions;
   RenderOptions renderOptions;
@@ -268,17 +279,12 @@ int main(int argc, char** argv) {
   CompareOptions compareOptions;
   ArchiveOptions archiveOptions;
   DeidentifyOptions deidentifyOptions;
-  const std::array commands{addInfo(program, infoOptions),
-                            addConvert(program, convertOptions),
-                            addSlice(program, sliceOptions),
-                            addRender(program, renderOptions),
-                            addPlace(program, placeOptions),
-                            addGrow(program, growOptions),
-                            addSurface(program, surfaceOptions),
-                            addCompare(program, compareOptions),
-                            addBenchmark(program, benchmarkOptions),
-                            addArchive(program, archiveOptions),
-                            addDeidentify(program, deidentifyOptions)};
+  const std::array commands{addInfo(program, infoOptions),       addConvert(program, convertOptions),
+                            addMeasure(program, measureOptions), addSlice(program, sliceOptions),
+                            addRender(program, renderOptions),   addPlace(program, placeOptions),
+                            addGrow(program, growOptions),       addSurface(program, surfaceOptions),
+                            addCompare(program, compareOptions), addBenchmark(program, benchmarkOptions),
+                            addArchive(program, archiveOptions), addDeidentify(program, deidentifyOptions)};
   try {
     const app::Program::Parsed parsed = program.parse(argc, argv);
     if (parsed.exitCode) return *parsed.exitCode;

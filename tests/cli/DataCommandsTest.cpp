@@ -1,4 +1,4 @@
-// fenestra-cli info, convert, slice, surface and compare.
+// fenestra-cli info, convert, measure, slice, surface and compare.
 
 #include <cmath>
 #include <cstdint>
@@ -52,6 +52,33 @@ TEST_F(DataCommands, InfoTellsSeriesApartWithoutNamingThePatient) {
   EXPECT_EQ(series["kernel"], "B30f");
   EXPECT_FALSE(other.contains("number") || other.contains("thickness") || other.contains("kernel")) << other;
   for (const char* name : {"Vermeer", "QX-4711"}) EXPECT_EQ(result.out.find(name), std::string::npos) << name;
+}
+
+TEST_F(DataCommands, MeasuresEachLabel) {
+  const Json all = run({"measure", "--phantom", "torso", "--phantom-voxels", "48"}).json();
+  const Json info = run({"info", "--phantom", "torso", "--phantom-voxels", "48"}).json();
+  EXPECT_EQ(all["unit"], "HU");
+  double voxel = 1.0;
+  for (const Json& spacing : info["spacing"]) voxel *= spacing.get<double>();
+  ASSERT_GT(all["labels"].size(), 5u);
+  for (const Json& label : all["labels"]) {
+    EXPECT_NEAR(label["ml"].get<double>(), label["voxels"].get<double>() * voxel / 1000.0, 1e-9) << label;
+    EXPECT_LE(label["min"], label["mean"]) << label;
+    EXPECT_LE(label["mean"], label["max"]) << label;
+    for (int k = 0; k < 3; ++k) {
+      EXPECT_LT(label["box_lps"][0][k], label["centre_lps"][k]) << label;
+      EXPECT_LT(label["centre_lps"][k], label["box_lps"][1][k]) << label;
+    }
+  }
+  const std::string name = all["labels"][2]["name"];
+  const Json one = run({"measure", "--phantom", "torso", "--phantom-voxels", "48", "--focus-labels", name}).json();
+  ASSERT_EQ(one["labels"].size(), 1u);
+  EXPECT_EQ(one["labels"][0], all["labels"][2]);
+
+  EXPECT_EQ(run({"convert", "--phantom", "torso", "--phantom-voxels", "48", "-o", at("bare.mha")}).exitCode, 0);
+  const Result bare = run({"measure", at("bare.mha")});
+  EXPECT_EQ(bare.exitCode, 1);
+  EXPECT_NE(bare.error.find("name a label map with --labels"), std::string::npos) << bare.error;
 }
 
 TEST_F(DataCommands, ConvertedVolumesAreTheSameVolume) {
