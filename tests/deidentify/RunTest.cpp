@@ -233,6 +233,16 @@ TEST_F(Deidentify, ReadsLabelsOfCopiesAsBefore) {
   expectSameLabels(*after.labels, *before.labels);
 }
 
+TEST_F(Deidentify, KeepsWhatPlacesTheSlicesOfAMosaic) {
+  FENESTRA_TEST_DATA_OR_SKIP(mosaic, "dicom/pixel-formats/12bit");
+  const io::OpenedVolume before = io::openVolume(mosaic);
+  run(mosaic);
+  const io::OpenedVolume after = io::openVolume(out_);
+  ASSERT_GT(before.volume->grid.dims.z, 1);
+  EXPECT_EQ(realValues(*after.volume), realValues(*before.volume));
+  expectSameGrid(after.volume->grid, before.volume->grid, 0.0);
+}
+
 TEST_F(Deidentify, GivesOtherUidsInEachRun) {
   const fs::path source = patientSeries(folder_ / "in");
   const auto first = run(source).series;
