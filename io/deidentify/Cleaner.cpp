@@ -147,6 +147,8 @@ void Cleaner::apply(DcmItem& item, DcmElement& element, Action action, Within wi
     case Action::Dummy:
       if (isSequence) return nested(element, Within::Dummy);
       if (element.ident() == EVR_UI) return replaceUids(element);
+      if (element.getTag() == DCM_PatientID && element.getLength() > 0)
+        return setText(element, uids_.patientFor(textIn(element)));
       return makeDummy(element);
     case Action::NewUid:
       if (isSequence) return nested(element, within);

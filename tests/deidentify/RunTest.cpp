@@ -338,6 +338,23 @@ TEST_F(Deidentify, SaysWhatIsLeftOutAndWhatStays) {
   EXPECT_NE(texts.find("1 object with names burned into the pixels"), std::string::npos) << texts;
 }
 
+TEST_F(Deidentify, KeepsPatientsApart) {
+  const fs::path source = folder_ / "in";
+  fs::create_directories(source);
+  DicomSpec spec = patientSpec();
+  for (const char* id : {"first", "second", "first"}) {
+    spec.patientId = id;
+    spec.instance += ".1";
+    writeDicom(source / (spec.instance + ".dcm"), spec);
+  }
+  run(source);
+  std::map<std::string, int> patients;
+  for (const fs::path& file : filesBelow(out_)) ++patients[io::textOf(*loaded(file).getDataset(), DCM_PatientID)];
+  ASSERT_EQ(patients.size(), 2u);
+  EXPECT_EQ(patients.begin()->second + patients.rbegin()->second, 3);
+  EXPECT_EQ(patients.begin()->first.size(), 12u);
+}
+
 TEST_F(Deidentify, RefusesWhatHoldsNoObjects) {
   fs::create_directories(folder_ / "in");
   writeFile(folder_ / "in/notes.txt", "nothing");
