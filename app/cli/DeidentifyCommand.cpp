@@ -62,11 +62,11 @@ void addDeidentifyOptions(app::Command command, DeidentifyOptions& options) {
       command.addValue("-o,--output", request.output, "a new or empty folder for the copies").as("FOLDER");
   const app::Option preview = command.addFlag("--preview", options.preview,
                                               "writes nothing; says what would be removed and replaced, by attribute");
-  const app::Option map =
-      command
-          .addValue("--map", request.map,
-                    "file for the old and new UIDs, readable by you alone; otherwise nobody can tell which was which")
-          .as("FILE");
+  const app::Option map = command
+                              .addValue("--map", request.map,
+                                        "file for the old and new UIDs and patients' numbers, readable by you alone; "
+                                        "otherwise nobody can tell which was which")
+                              .as("FILE");
   command.addFlag("--values", request.values, "says also what was there, which names the patient").needs(preview);
   preview.excludes(output).excludes(map);
   command.group("What to keep (PS3.15 annex E)");

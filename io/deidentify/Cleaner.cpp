@@ -8,6 +8,7 @@
 #include "io/deidentify/Method.h"
 #include "io/deidentify/Values.h"
 #include "io/dicom/DicomValues.h"
+#include "io/dicom/Mosaic.h"
 
 namespace fenestra::io::deidentify {
 namespace {
@@ -77,9 +78,13 @@ void Cleaner::clean(DcmItem& object) {
   giveTextItsVr(object);
   const OwnNames names(object);
   names_ = &names;
+  // Two of the numbers in a private header place a mosaic's slices and say nothing of a person (PS3.15 E.3.10).
+  const bool isMosaic = codeOf(object, DCM_ImageType).find("MOSAIC") != std::string::npos;
+  const auto mosaic = isMosaic ? siemensMosaic(object) : std::nullopt;
   cleanItem(object, Within::Plain);
   names_ = nullptr;
-  writeMethod(object, options_);
+  if (mosaic) writeSiemensMosaic(*mosaic, object);
+  writeMethod(object, options_, mosaic.has_value());
 }
 
 void Cleaner::cleanItem(DcmItem& item, Within within) {
@@ -142,6 +147,8 @@ void Cleaner::apply(DcmItem& item, DcmElement& element, Action action, Within wi
     case Action::Dummy:
       if (isSequence) return nested(element, Within::Dummy);
       if (element.ident() == EVR_UI) return replaceUids(element);
+      if (element.getTag() == DCM_PatientID && element.getLength() > 0)
+        return setText(element, uids_.patientFor(textIn(element)));
       return makeDummy(element);
     case Action::NewUid:
       if (isSequence) return nested(element, within);

@@ -57,6 +57,8 @@ Outcome Run::operator()(const Progress& progress) {
   const Inputs inputs(request_.inputs, partOf(progress, 0.0, 0.1));
   if (inputs.objects().empty())
     throw Error(request_.inputs.front(), "holds no DICOM objects", "name DICOM files, or folders that hold some");
+  if (!request_.map.empty() && liesIn(request_.map, request_.output))
+    throw Error(request_.map, "would be given away with the copies", "name a file outside of their folder");
   if (!request_.output.empty()) output_.emplace(request_.output, request_.inputs);
   std::size_t done = 0;
   for (const fs::path& file : inputs.objects()) {

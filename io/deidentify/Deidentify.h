@@ -15,10 +15,11 @@
 namespace fenestra::io::deidentify {
 
 struct Request {
-  std::vector<std::filesystem::path> inputs;  ///< files, folders, DICOMDIRs, archives
-  std::filesystem::path output;               ///< a folder that does not exist or is empty; empty: nothing is written
-  std::filesystem::path map;                  ///< old and new UIDs, for its owner alone; empty: they are forgotten
-  Options options;
+  std::vector<std::filesystem::path> inputs = {};  ///< files, folders, DICOMDIRs, archives
+  std::filesystem::path output = {};  ///< a folder that does not exist or is empty; empty: nothing is written
+  std::filesystem::path map =
+      {};  ///< old and new UIDs and patients' numbers, for its owner alone; empty: they are forgotten
+  Options options = {};
   bool values = false;  ///< Outcome::changes tells what was there
 };
 

@@ -66,10 +66,9 @@ void Findings::notice(DcmItem& object, const std::filesystem::path& file) {
             .push_back(file);
   if (hasOverlayInPixels(object))
     noticed_["with an overlay in unused bits of the pixels, which stay as they are"].push_back(file);
-  if (codeOf(object, DCM_ImageType).find("MOSAIC") != std::string::npos &&
-      !object.tagExists(DCM_PerFrameFunctionalGroupsSequence))
-    noticed_["that are mosaics, whose slices private attributes alone describe; the profile removes those"].push_back(
-        file);
+  if (privateTag(object, 0x0065, "Image Private Header", 0x50))
+    noticed_["of United Imaging, where private attributes place the slices of a mosaic; the profile removes them"]
+        .push_back(file);
   if (mayShowFace(object)) noticed_["of a head, from which a face can be reconstructed; it stays"].push_back(file);
 }
 

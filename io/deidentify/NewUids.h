@@ -20,10 +20,15 @@ class NewUids {
 
   /// What to write in place of `uid`; UIDs of the standard's own (1.2.840.10008) stay, and so does an empty text.
   std::string of(std::string_view uid);
+  /// A number in place of a patient's, of twelve letters: objects of one patient stay together, and those of two apart.
+  std::string patientFor(std::string_view id);
   /// All that were asked for, by the old one.
   const std::map<std::string, std::string, std::less<>>& all() const { return given_; }
 
  private:
+  using Hash = std::array<unsigned char, 64>;  // as large as OpenSSL's largest
+  Hash hashOf(std::string_view text) const;
+
   std::array<unsigned char, 32> key_{};
   std::map<std::string, std::string, std::less<>> given_;
 };

@@ -11,14 +11,13 @@
 
 namespace fenestra::io::deidentify {
 namespace fs = std::filesystem;
-namespace {
 
 bool liesIn(const fs::path& inner, const fs::path& outer) {
-  const auto [end, rest] = std::mismatch(outer.begin(), outer.end(), inner.begin(), inner.end());
-  return end == outer.end();
+  std::error_code failure;
+  const fs::path whole = fs::weakly_canonical(inner, failure), holder = fs::weakly_canonical(outer, failure);
+  const auto [end, rest] = std::mismatch(holder.begin(), holder.end(), whole.begin(), whole.end());
+  return end == holder.end();
 }
-
-}  // namespace
 
 OutputFolder::OutputFolder(const fs::path& folder, const std::vector<fs::path>& sources)
     : folder_(folder.has_filename() ? folder : folder.parent_path()) {
@@ -28,9 +27,8 @@ OutputFolder::OutputFolder(const fs::path& folder, const std::vector<fs::path>& 
     throw Error(folder_, "is a file", "name a folder that does not exist or is empty");
   if (exists && !fs::is_empty(folder_, failure))
     throw Error(folder_, "holds files", "name a folder that does not exist or is empty");
-  const fs::path whole = fs::weakly_canonical(folder_, failure);
   for (const fs::path& source : sources)
-    if (fs::is_directory(source, failure) && liesIn(whole, fs::weakly_canonical(source, failure)))
+    if (fs::is_directory(source, failure) && liesIn(folder_, source))
       throw Error(folder_, "lies in the folder that is read", "name a folder elsewhere, which can be given away");
   if (folder_.has_parent_path()) fs::create_directories(folder_.parent_path(), failure);
   std::string name = folder_.string() + ".XXXXXX";

@@ -6,6 +6,9 @@
 
 namespace fenestra::io::deidentify {
 
+/// Whether `inner` is `outer` or lies below it, links resolved.
+bool liesIn(const std::filesystem::path& inner, const std::filesystem::path& outer);
+
 class OutputFolder {
  public:
   /// Makes a folder beside `folder`, for its owner alone. Throws Error where `folder` holds files, lies in one of

@@ -2,6 +2,9 @@
 
 #include <cmath>
 #include <cstring>
+#include <iomanip>
+#include <locale>
+#include <sstream>
 #include <vector>
 
 #include "io/base/Text.h"
@@ -41,6 +44,8 @@ std::vector<double> csaNumbers(const Uint8* data, unsigned long size, const std:
   return values;
 }
 
+const DcmTagKey siemensHeader(0x0029, 0x1010);
+
 /// Most slices of a picture: more than a mosaic of any scanner holds.
 constexpr double mostSlices = 1024;
 
@@ -62,20 +67,15 @@ std::vector<DicomFrame> tilesOf(const DicomFrame& whole, double count) {
 /// Siemens: the private header gives the number of slices and the direction they follow in. The stored position is that
 /// of the whole picture laid around the slices' centre.
 std::vector<DicomFrame> siemensTiles(DcmItem& dataset, const DicomFrame& whole) {
-  const Uint8* csa = nullptr;
-  unsigned long size = 0;
-  if (dataset.findAndGetUint8Array(DcmTag(0x0029, 0x1010, EVR_OB), csa, &size).bad() || !csa) return {};
-  const auto count = csaNumbers(csa, size, "NumberOfImagesInMosaic");
-  const auto normal = csaNumbers(csa, size, "SliceNormalVector");
+  const auto mosaic = siemensMosaic(dataset);
   const double declared = whole.thickness > 0.0 ? whole.thickness : whole.step;
   const double step = numberOf(dataset, DCM_SpacingBetweenSlices).value_or(declared);
-  if (count.empty() || !(count[0] >= 1 && count[0] <= mostSlices) || normal.size() != 3 || !(step > 0.0)) return {};
-  if (!whole.hasGeometry) return {};
-  std::vector<DicomFrame> frames = tilesOf(whole, count[0]);
+  if (!mosaic || !(step > 0.0) || !whole.hasGeometry) return {};
+  std::vector<DicomFrame> frames = tilesOf(whole, mosaic->slices);
   for (std::size_t slice = 0; slice < frames.size(); ++slice) {
     const glm::dvec2 margin = glm::dvec2(whole.size - frames[slice].size) * 0.5 * whole.spacing;
-    frames[slice].position = whole.position + whole.axes * margin +
-                             glm::dvec3(normal[0], normal[1], normal[2]) * (step * static_cast<double>(slice));
+    frames[slice].position =
+        whole.position + whole.axes * margin + mosaic->normal * (step * static_cast<double>(slice));
   }
   return frames;
 }
@@ -96,7 +96,46 @@ std::vector<DicomFrame> unitedTiles(DcmItem& dataset, const DicomFrame& whole, d
   return frames;
 }
 
+/// An element of a CSA header with texts of numbers, which csaNumbers() reads.
+std::string csaElement(const std::string& name, const std::vector<double>& values) {
+  const auto word = [](std::size_t value) {
+    std::string bytes;
+    for (int i = 0; i < 4; ++i) bytes += static_cast<char>(value >> 8 * i & 0xff);
+    return bytes;
+  };
+  std::string element = name + std::string(64 - name.size(), '\0');
+  element += word(values.size()) + std::string("FD\0\0", 4) + word(4) + word(values.size()) + word(77);
+  for (const double value : values) {
+    std::ostringstream text;
+    text.imbue(std::locale::classic());
+    text << std::setprecision(17) << value;
+    const std::size_t length = text.str().size();
+    element += word(length) + word(length) + word(77) + word(length) + text.str();
+    element += std::string((4 - length % 4) % 4, '\0');
+  }
+  return element;
+}
+
 }  // namespace
+
+std::optional<SiemensMosaic> siemensMosaic(DcmItem& dataset) {
+  const Uint8* csa = nullptr;
+  unsigned long size = 0;
+  if (dataset.findAndGetUint8Array(siemensHeader, csa, &size).bad() || !csa) return std::nullopt;
+  const auto count = csaNumbers(csa, size, "NumberOfImagesInMosaic");
+  const auto normal = csaNumbers(csa, size, "SliceNormalVector");
+  if (count.empty() || !(count[0] >= 1 && count[0] <= mostSlices) || normal.size() != 3) return std::nullopt;
+  return SiemensMosaic{count[0], {normal[0], normal[1], normal[2]}};
+}
+
+void writeSiemensMosaic(const SiemensMosaic& mosaic, DcmItem& dataset) {
+  std::string csa("SV10\4\3\2\1\2\0\0\0M\0\0\0", 16);
+  csa += csaElement("NumberOfImagesInMosaic", {mosaic.slices});
+  csa += csaElement("SliceNormalVector", {mosaic.normal.x, mosaic.normal.y, mosaic.normal.z});
+  dataset.putAndInsertString(DcmTag(0x0029, 0x0010, EVR_LO), "SIEMENS CSA HEADER");
+  dataset.putAndInsertUint8Array(DcmTag(siemensHeader, EVR_OB), reinterpret_cast<const Uint8*>(csa.data()),
+                                 static_cast<unsigned long>(csa.size()));
+}
 
 void splitMosaic(DcmItem& dataset, DicomFile& file) {
   const DicomFrame& whole = file.frames[0];

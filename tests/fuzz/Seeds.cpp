@@ -180,7 +180,7 @@ std::vector<std::string> codecSeeds() {
 std::vector<std::string> seedsOf(const Target& target) {
   const fs::path folder = fs::temp_directory_path() / "fenestra-seeds";
   fs::create_directories(folder);
-  if (target.name == "dicom") return dicomSeeds(folder);
+  if (target.name == "dicom" || target.name == "deidentify") return dicomSeeds(folder);
   if (target.name == "byte-codecs") return codecSeeds();
   for (const char* name : {"dicom-series", "tiff-folder", "label-table", "masks"})
     if (target.name == name) return tableSeeds(target, goodRows());

@@ -12,6 +12,7 @@
 #include "io/LabelTable.h"
 #include "io/TransferFunctionFile.h"
 #include "io/VolumeReader.h"
+#include "io/deidentify/Deidentify.h"
 #include "io/dicom/ByteCodecs.h"
 #include "io/dicom/CodecError.h"
 #include "io/session/LookFile.h"
@@ -89,6 +90,12 @@ void decodeBytes(const fs::path& file) {
   }
 }
 
+void deidentify(const fs::path& file) {
+  const fs::path copies = file.parent_path() / "copies";
+  fs::remove_all(copies);
+  io::deidentify::deidentify({.inputs = {file}, .output = copies, .options = {.cleanDescriptors = true}});
+}
+
 void openSession(const fs::path& file) { io::readSession(file); }
 void openLook(const fs::path& file) { io::readLook(file); }
 void openStrokes(const fs::path& file) { io::readStrokes(file); }
@@ -103,6 +110,7 @@ void openTransferFunction(const fs::path& file) {
 
 constexpr std::array all{Target{"dicom", "input.dcm", openAsVolume},
                          Target{"dicom-series", "input.pack", openDicomSeries},
+                         Target{"deidentify", "input.dcm", deidentify},
                          Target{"byte-codecs", "input.bytes", decodeBytes},
                          Target{"nifti", "input.nii", openAsVolume},
                          Target{"nrrd", "input.nrrd", openAsVolume},
