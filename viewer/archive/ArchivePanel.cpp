@@ -263,11 +263,11 @@ void ArchivePanel::search(std::size_t most) {
         });
         const FoundStudies found{treeOfStudies(answers.records), answers.records.size(), answers.complete,
                                  answers.ignoresKeys};
-        return [this, found] { show(found.tree, found.count, found.complete, found.ignoresKeys); };
+        return [this, found] { showStudies(found.tree, found.count, found.complete, found.ignoresKeys); };
       });
 }
 
-void ArchivePanel::show(std::shared_ptr<ArchiveNode> tree, std::size_t count, bool complete, bool ignoresKeys) {
+void ArchivePanel::showStudies(std::shared_ptr<ArchiveNode> tree, std::size_t count, bool complete, bool ignoresKeys) {
   const std::size_t patients = tree->children.size();
   model_->setTree(std::move(tree));
   // A few are unfolded; of many, the patients are looked through first.
