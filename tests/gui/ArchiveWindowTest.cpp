@@ -196,8 +196,10 @@ TEST_F(ArchiveWindow, ABrokenRetrievalSaysWhyAndGoesOnWithWhatIsMissing) {
   const double reached = retrievals().find(id)->fraction;
   EXPECT_LT(reached, 1.0);
   EXPECT_LT(since.elapsed(), 5000) << "workers look every 50 ms; the silence of a minute is not waited for";
-  for (const auto& each : fs::recursive_directory_iterator(root_ / "cache"))
-    if (each.path().extension() == ".dcm") EXPECT_EQ(each.path().parent_path().extension(), ".part");
+  for (const auto& each : fs::recursive_directory_iterator(root_ / "cache")) {
+    if (each.path().extension() != ".dcm") continue;
+    EXPECT_EQ(each.path().parent_path().extension(), ".part");
+  }
 
   tests::Proxy cutting(port, {.after = 60'000});
   entry.port = cutting.port();

@@ -25,7 +25,7 @@ ArchiveDock::ArchiveDock(QMainWindow& window, Workspace& workspace, Open open)
     if (!visible || panel_) return;
     panel();
     // Unless a restored layout has given it more. From the event loop: the dock is being shown.
-    constexpr int wanted = 340;  // a name with its date, type and number of images
+    constexpr int wanted = 370;  // a name with its date, type and number of images
     QTimer::singleShot(0, this, [this] {
       if (width() < wanted && !isFloating()) window_.resizeDocks({this}, {wanted}, Qt::Horizontal);
     });

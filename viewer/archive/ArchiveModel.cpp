@@ -224,7 +224,7 @@ QVariant ArchiveModel::headerData(int section, Qt::Orientation orientation, int 
   if (orientation != Qt::Horizontal || role != Qt::DisplayRole) return {};
   switch (section) {
     case Name:
-      return tr("Patient, study, series");
+      return tr("Patient, study");
     case Date:
       return tr("Date");
     case Type:

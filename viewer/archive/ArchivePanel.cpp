@@ -1,5 +1,7 @@
 #include "viewer/archive/ArchivePanel.h"
 
+#include <algorithm>
+
 #include <QComboBox>
 #include <QHBoxLayout>
 #include <QHeaderView>
@@ -142,9 +144,9 @@ QWidget* ArchivePanel::makeResults() {
   for (const int column : {ArchiveModel::Date, ArchiveModel::Type, ArchiveModel::Images})
     header->setSectionResizeMode(column, QHeaderView::Interactive);
   const QFontMetrics metrics(font());
-  header->resizeSection(ArchiveModel::Date, metrics.horizontalAdvance(QStringLiteral("2000-00-00")) + 14);
-  header->resizeSection(ArchiveModel::Type, metrics.horizontalAdvance(QStringLiteral("CT, SEG")) + 8);
-  header->resizeSection(ArchiveModel::Images, metrics.horizontalAdvance(tr("Images")) + 18);
+  header->resizeSection(ArchiveModel::Date, metrics.horizontalAdvance(QStringLiteral("2000-00-00")) + 10);
+  header->resizeSection(ArchiveModel::Type, metrics.horizontalAdvance(QStringLiteral("CT, MR")) + 10);
+  header->resizeSection(ArchiveModel::Images, metrics.horizontalAdvance(tr("Images")) + 12);
   const auto activate = [this](const QModelIndex& index) {
     const ArchiveNode* node = model_->nodeAt(index);
     if (node && node->kind == ArchiveNode::Kind::Patient)
@@ -261,16 +263,20 @@ void ArchivePanel::search(std::size_t most) {
         });
         const FoundStudies found{treeOfStudies(answers.records), answers.records.size(), answers.complete,
                                  answers.ignoresKeys};
-        return [this, found] { show(found.tree, found.count, found.complete, found.ignoresKeys); };
+        return [this, found] { showStudies(found.tree, found.count, found.complete, found.ignoresKeys); };
       });
 }
 
-void ArchivePanel::show(std::shared_ptr<ArchiveNode> tree, std::size_t count, bool complete, bool ignoresKeys) {
+void ArchivePanel::showStudies(std::shared_ptr<ArchiveNode> tree, std::size_t count, bool complete, bool ignoresKeys) {
   const std::size_t patients = tree->children.size();
   model_->setTree(std::move(tree));
   // A few are unfolded; of many, the patients are looked through first.
   constexpr std::size_t few = 50;
   if (count <= few) results_->expandToDepth(0);
+  // Patients have nothing but a name, which needs the width. The view keeps a list of such rows.
+  constexpr std::size_t most = 2000;
+  for (std::size_t row = 0; row < std::min(patients, most); ++row)
+    results_->setFirstColumnSpanned(static_cast<int>(row), {}, true);
   QString text = count == 0 ? tr("Nothing matches. Check the spelling; an asterisk stands for any text, as in *anna*.")
                             : tr("Studies: %1, of patients: %2.").arg(count).arg(patients);
   if (!complete) text += QLatin1Char(' ') + tr("There are more: narrow the search, or ask for more.");

@@ -42,6 +42,9 @@ class ArchivePanel : public QWidget {
   QTreeView& results() { return *results_; }
   /// The server that the model's tree is from, by its entry's id.
   void setFoundAt(const QString& id) { found_ = id; }
+  /// Shows what a search found, and says what is to be known of it: `count` studies, whether these are all, and whether
+  /// the server does not match by some of the keys.
+  void showStudies(std::shared_ptr<ArchiveNode> tree, std::size_t count, bool complete, bool ignoresKeys);
   /// What the panel says of the last search or test.
   QString status() const;
   bool isBusy() const { return job_.isRunning() || seriesJob_.isRunning(); }
@@ -59,7 +62,6 @@ class ArchivePanel : public QWidget {
   void editServer(const ServerEntry& entry);
   void test();
   void search(std::size_t most);
-  void show(std::shared_ptr<ArchiveNode> tree, std::size_t count, bool complete, bool ignoresKeys);
   void fetchSeries(const QString& study);
   void fetchNext();
   void say(const QString& text);

@@ -58,18 +58,20 @@ int Retrievals::add(const RetrievalOrder& order) {
     return !each->removes && each->order.server == order.server && each->order.study == order.study &&
            each->order.series == order.series;
   });
+  int id = 0;
   if (same != items_.end()) {
     Item& there = **same;
+    id = there.id;
     there.order.opens = there.order.opens || order.opens;
     // What is whole is asked for again: the server may have got more, and the cache may have lost some.
     if (!hasWorker(there)) set(there, State::Waiting);
   } else {
+    id = ++lastId_;
     items_.push_back(std::make_unique<Item>());
-    items_.back()->id = ++lastId_;
+    items_.back()->id = id;
     items_.back()->order = order;
     Q_EMIT listChanged();
   }
-  const int id = same != items_.end() ? (*same)->id : lastId_;
   startWaiting();
   return id;
 }
