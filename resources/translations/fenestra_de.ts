@@ -3521,6 +3521,10 @@ Kosinus des Winkels zur nächsten der sechs</translation>
         <source>Structures that are never clipped: %1</source>
         <translation>Strukturen, die nie beschnitten werden: %1</translation>
     </message>
+    <message>
+        <source>Clip planes</source>
+        <translation>Schnittebenen</translation>
+    </message>
 </context>
 <context>
     <name>fenestra::viewer::ContextLayerPanel</name>
@@ -3922,6 +3926,10 @@ Kosinus des Winkels zur nächsten der sechs</translation>
     <message>
         <source>Colour</source>
         <translation>Farbe</translation>
+    </message>
+    <message>
+        <source>Structures</source>
+        <translation>Strukturen</translation>
     </message>
 </context>
 <context>

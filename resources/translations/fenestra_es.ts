@@ -3521,6 +3521,10 @@ Coseno del ángulo con la más próxima de las seis</translation>
         <source>Structures that are never clipped: %1</source>
         <translation>Estructuras que nunca se recortan: %1</translation>
     </message>
+    <message>
+        <source>Clip planes</source>
+        <translation>Planos de recorte</translation>
+    </message>
 </context>
 <context>
     <name>fenestra::viewer::ContextLayerPanel</name>
@@ -3922,6 +3926,10 @@ Coseno del ángulo con la más próxima de las seis</translation>
     <message>
         <source>Colour</source>
         <translation>Color</translation>
+    </message>
+    <message>
+        <source>Structures</source>
+        <translation>Estructuras</translation>
     </message>
 </context>
 <context>

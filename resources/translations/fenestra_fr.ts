@@ -3521,6 +3521,10 @@ Cosinus de l&apos;angle avec la plus proche des six</translation>
         <source>Structures that are never clipped: %1</source>
         <translation>Structures jamais découpées&#xa0;: %1</translation>
     </message>
+    <message>
+        <source>Clip planes</source>
+        <translation>Plans de découpe</translation>
+    </message>
 </context>
 <context>
     <name>fenestra::viewer::ContextLayerPanel</name>
@@ -3922,6 +3926,10 @@ Cosinus de l&apos;angle avec la plus proche des six</translation>
     <message>
         <source>Colour</source>
         <translation>Couleur</translation>
+    </message>
+    <message>
+        <source>Structures</source>
+        <translation>Structures</translation>
     </message>
 </context>
 <context>

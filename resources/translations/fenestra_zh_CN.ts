@@ -3521,6 +3521,10 @@ Cosine of the angle to the nearest of the six</source>
         <source>Structures that are never clipped: %1</source>
         <translation>不参与裁剪的结构：%1</translation>
     </message>
+    <message>
+        <source>Clip planes</source>
+        <translation>裁剪平面</translation>
+    </message>
 </context>
 <context>
     <name>fenestra::viewer::ContextLayerPanel</name>
@@ -3922,6 +3926,10 @@ Cosine of the angle to the nearest of the six</source>
     <message>
         <source>Colour</source>
         <translation>颜色</translation>
+    </message>
+    <message>
+        <source>Structures</source>
+        <translation>结构</translation>
     </message>
 </context>
 <context>

@@ -23,6 +23,7 @@
 #include <QTest>
 #include <QTimer>
 
+#include "tests/gui/CutTexts.h"
 #include "tests/gui/PseudoLocale.h"
 #include "tests/gui/WindowFixture.h"
 
@@ -81,14 +82,6 @@ QStringList textsOf(const QWidget& widget) {
   return texts;
 }
 
-QString placeOf(const QObject* object) {
-  QString place;
-  for (; object; object = object->parent())
-    place = QString::fromLatin1(object->metaObject()->className()) + QLatin1Char(' ') + object->objectName() +
-            (place.isEmpty() ? QString() : QStringLiteral(" > ") + place);
-  return place;
-}
-
 /// The untranslated texts of a window and everything in it.
 QStringList untranslatedIn(const QWidget& window) {
   QStringList found;
@@ -99,28 +92,6 @@ QStringList untranslatedIn(const QWidget& window) {
       if (const QStringList words = unmarkedWords(text); !words.isEmpty())
         found << QStringLiteral("\"%1\" in %2").arg(text, placeOf(widget));
   found.removeDuplicates();
-  return found;
-}
-
-/// Labels and buttons in sight that are narrower or lower than their text.
-QStringList cutIn(const QWidget& window) {
-  QStringList found;
-  const auto check = [&](const QWidget* widget, const QString& text) {
-    if (!widget->isVisible() || widget->visibleRegion().isEmpty() || text.isEmpty()) return;
-    const QSize wanted = widget->minimumSizeHint().expandedTo(QSize(0, 0));
-    // A panel scrolls its contents vertically alone, so that no widget may be cut off at its sides.
-    const bool cutAside = widget->visibleRegion().boundingRect().width() < widget->width();
-    if (widget->width() < wanted.width() || widget->height() < wanted.height() || cutAside)
-      found << QStringLiteral("\"%1\" %2x%3 of %4x%5 in %6")
-                   .arg(text)
-                   .arg(widget->width())
-                   .arg(widget->height())
-                   .arg(wanted.width())
-                   .arg(wanted.height())
-                   .arg(placeOf(widget));
-  };
-  for (const QLabel* label : window.findChildren<QLabel*>()) check(label, label->text());
-  for (const QAbstractButton* button : window.findChildren<QAbstractButton*>()) check(button, button->text());
   return found;
 }
 

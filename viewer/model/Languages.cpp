@@ -11,9 +11,12 @@ static void registerTranslations() { Q_INIT_RESOURCE(translations); }
 namespace fenestra::viewer {
 namespace {
 
+const QString spoken = QStringLiteral("language");
+
 /// Installs the texts of a resource; false: there are none.
 bool installTexts(const QString& name) {
   auto* translator = new QTranslator(QCoreApplication::instance());
+  translator->setObjectName(spoken);
   if (translator->load(QStringLiteral(":/translations/") + name) && QCoreApplication::installTranslator(translator))
     return true;
   delete translator;
@@ -41,6 +44,8 @@ QLocale numbersOf(const std::string& code, const QLocale& desktop) {
 
 void speak(const std::string& code) {
   registerTranslations();
+  // A translator that is destroyed leaves the application.
+  qDeleteAll(QCoreApplication::instance()->findChildren<QTranslator*>(spoken, Qt::FindDirectChildrenOnly));
   const std::string chosen = code.empty() ? languageOf(QLocale::system().uiLanguages()) : code;
   // The system's own locale mixes languages where its variables differ; its name alone says the habits of one country.
   QLocale::setDefault(numbersOf(chosen, QLocale(QLocale::system().name())));

@@ -51,6 +51,7 @@ ClippingPanel::ClippingPanel(Document& document, const SliceCursor& cursor, cons
       exempt_(new QLabel),
       reset_(button(tr("Clip nothing"), tr("Switch off the box, and remove all planes"))) {
   setBody(makeBody());
+  planes_->setAccessibleName(tr("Clip planes"));
   connectControls();
   show();
 }

@@ -63,6 +63,7 @@ LabelList::LabelList(Document& document, const PlacementController& placement, Q
   setExpandsOnDoubleClick(false);
   setEditTriggers(EditKeyPressed);
   setMinimumHeight(80);
+  setAccessibleName(tr("Structures"));
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Ignored);  // the height that the panel's other rows leave
   arrangeColumns();
   connect(this, &QTreeView::clicked, this, &LabelList::clickedAt);

@@ -31,6 +31,7 @@ StrokeList::StrokeList(Document& document, QWidget* parent)
   list_->setSelectionMode(QAbstractItemView::ExtendedSelection);
   list_->setMinimumHeight(60);
   list_->setToolTip(tr("Tick the strokes to apply"));
+  list_->setAccessibleName(tr("Brush strokes"));
   load_->setToolTip(tr("Adds the strokes of a file"));
   auto* buttons = new QHBoxLayout;
   for (QPushButton* button : {delete_, clear_, load_, save_}) buttons->addWidget(button);

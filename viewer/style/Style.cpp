@@ -8,6 +8,8 @@
 #include <QPalette>
 #include <QStyleFactory>
 
+#include "viewer/style/AccessibleNames.h"
+
 /// Registers the icons, which live in a static library. Q_INIT_RESOURCE works outside namespaces only.
 static void registerIcons() { Q_INIT_RESOURCE(icons); }
 
@@ -15,9 +17,9 @@ namespace fenestra::viewer {
 namespace {
 
 struct Colours {
-  const char *window, *base, *alternate, *raised, *text, *dim, *link;
-  const char *light, *midlight, *mid, *dark;  ///< edges of buttons and frames
-  const char *line, *title;                   ///< between panels; behind their titles
+  const char *window, *base, *alternate, *raised, *text, *hint, *dim, *link;  ///< `dim` is for what is switched off
+  const char *light, *midlight, *mid, *dark;                                  ///< edges of buttons and frames
+  const char *line, *title;                                                   ///< between panels; behind their titles
   const char *hover, *pressed, *chosen, *accent, *accentEdge;
   const char *control, *controlEdge, *controlHover, *controlDisabled;  ///< check boxes
   const char *notice, *error, *well;                                   ///< `well` surrounds pictures
@@ -29,6 +31,7 @@ constexpr Colours darkColours{.window = "#26292e",
                               .alternate = "#202227",
                               .raised = "#34383f",
                               .text = "#dee1e5",
+                              .hint = "#9aa1a9",
                               .dim = "#80858c",
                               .link = "#78b4eb",
                               .light = "#484d55",
@@ -55,6 +58,7 @@ constexpr Colours lightColours{.window = "#eceef0",
                                .alternate = "#f5f6f7",
                                .raised = "#e1e4e7",
                                .text = "#1d2125",
+                               .hint = "#646a71",
                                .dim = "#7d838a",
                                .link = "#1a5c94",
                                .light = "#ffffff",
@@ -87,7 +91,7 @@ QPalette paletteOf(const Colours& colours) {
   set(QPalette::Base, colours.base);
   set(QPalette::AlternateBase, colours.alternate);
   set(QPalette::Text, colours.text);
-  set(QPalette::PlaceholderText, colours.dim);
+  set(QPalette::PlaceholderText, colours.hint);
   set(QPalette::Button, colours.raised);
   set(QPalette::ButtonText, colours.text);
   set(QPalette::BrightText, "#ffffff");
@@ -201,10 +205,37 @@ void applyStyle(QApplication& application, Theme theme) {
   registerIcons();
   application.setWindowIcon(QIcon(QStringLiteral(":/icons/fenestra.svg")));
   // Once, before any style sheet: in Qt 6.4, setting a style while a sheet is active can make the next sheet crash.
-  if (application.styleSheet().isEmpty()) application.setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
+  if (application.styleSheet().isEmpty()) {
+    application.setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
+    nameControls();
+  }
   const Colours& colours = theme == Theme::Dark ? darkColours : lightColours;
   application.setPalette(paletteOf(colours));
   application.setStyleSheet(styleSheetOf(colours));
+}
+
+std::vector<TextColours> textColours(Theme theme) {
+  const Colours& of = theme == Theme::Dark ? darkColours : lightColours;
+  std::vector<TextColours> pairs;
+  const auto add = [&](const char* where, const char* text, const char* ground) {
+    pairs.push_back({where, QColor(QLatin1String(text)), QColor(QLatin1String(ground))});
+  };
+  add("panels", of.text, of.window);
+  add("fields and lists", of.text, of.base);
+  add("every other row", of.text, of.alternate);
+  add("buttons", of.text, of.raised);
+  add("titles of panels", of.text, of.title);
+  add("under the mouse", of.text, of.hover);
+  add("pressed", of.text, of.pressed);
+  add("chosen", of.text, of.chosen);
+  add("notices", of.text, of.notice);
+  add("errors", of.text, of.error);
+  add("first page", of.text, of.well);
+  add("hints in empty fields", of.hint, of.base);
+  add("links", of.link, of.window);
+  add("links of the first page", of.link, of.well);
+  add("selection", "#ffffff", of.accent);
+  return pairs;
 }
 
 QIcon icon(const char* name) {

@@ -4,6 +4,9 @@
 
 #include <cstdint>
 
+#include <vector>
+
+#include <QColor>
 #include <QIcon>
 
 class QApplication;
@@ -14,6 +17,13 @@ enum class Theme : std::uint8_t { Dark, Light };
 
 /// At the start, and again to change the theme of a running program.
 void applyStyle(QApplication& application, Theme theme = Theme::Dark);
+/// A colour of texts, what they stand on, and where that is.
+struct TextColours {
+  const char* where;
+  QColor text, ground;
+};
+/// All that a theme has, but for what is switched off.
+std::vector<TextColours> textColours(Theme theme);
 /// An icon of resources/icons, by the name of its file without the ending, in the colour of the theme's text.
 QIcon icon(const char* name);
 

@@ -53,6 +53,7 @@ SliceView::SliceView(SlicePlane plane, Workspace& workspace, OpeningEdge& openin
   geometry_.plane = plane;
   setMouseTracking(true);
   setFocusPolicy(Qt::StrongFocus);
+  setAccessibleName(planeName(plane));
   setProperty(FocusRing::drawnByWidget, true);
   setAttribute(Qt::WA_OpaquePaintEvent);
   setObjectName(QStringLiteral("slice%1").arg(static_cast<int>(plane)));

@@ -63,6 +63,7 @@ VolumeView::VolumeView(int index, Workspace& workspace, Shared shared, QWidget* 
           PictureSurface::make(shared_.software, *this, {.paint = [this] { paint(); }, .shown = [this] { shown(); }})) {
   setMouseTracking(true);
   setFocusPolicy(Qt::StrongFocus);
+  setAccessibleName(tr("C%1").arg(index + 1));
   setProperty(FocusRing::drawnByWidget, true);
   setObjectName(QStringLiteral("volume%1").arg(index));
   rest_.setSingleShot(true);
