@@ -32,7 +32,7 @@ Panels makePanels(QMainWindow& window, Workspace& workspace) {
                 .contextLayer = new ContextLayerPanel(document),
                 .cameras = new CamerasPanel(document, workspace.cameras, workspace.placement),
                 .brush = new BrushPanel(document, workspace.brush),
-                .clipping = new ClippingPanel(document, workspace.cursor, workspace.cameras),
+                .clipping = new ClippingPanel(document, workspace.cursor, workspace.planes, workspace.cameras),
                 .heights = nullptr};
   const auto add = [&window](const QString& title, const char* name, QWidget* panel) {
     auto* dock = new QDockWidget(title);
