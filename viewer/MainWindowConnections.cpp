@@ -54,6 +54,8 @@ void MainWindow::connectViews() {
   });
   connect(views_, &ViewArea::menuRequested, this,
           [this](glm::dvec3 world, QPoint at) { showStructureMenu(workspace_, world, at); });
+  connect(views_, &ViewArea::sliceMenuRequested, this,
+          [this](SlicePlane plane, glm::dvec3 world, QPoint at) { showStructureMenu(workspace_, world, at, plane); });
   connect(views_, &ViewArea::picked, &workspace_.placement, &PlacementController::pick);
   connect(views_, &ViewArea::pickTakenBack, &workspace_.placement, &PlacementController::forgetPick);
   connect(views_, &ViewArea::measureMenuRequested, this,

@@ -33,7 +33,7 @@ Panels makePanels(QMainWindow& window, Workspace& workspace) {
                 .contextLayer = new ContextLayerPanel(document),
                 .cameras = new CamerasPanel(document, workspace.cameras, workspace.placement),
                 .brush = new BrushPanel(document, workspace.brush),
-                .clipping = new ClippingPanel(document, workspace.cursor, workspace.cameras),
+                .clipping = new ClippingPanel(document, workspace.cursor, workspace.planes, workspace.cameras),
                 .series = new SeriesPanel(document, workspace.options),
                 .heights = nullptr,
                 .seriesDock = nullptr};

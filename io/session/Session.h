@@ -19,6 +19,8 @@
 #include "rendering/settings/Look.h"
 #include "rendering/settings/PlacementOptions.h"
 #include "rendering/settings/Quality.h"
+#include "rendering/volume/ObliqueSlice.h"
+#include "rendering/volume/Slab.h"
 #include "rendering/volume/SliceMeasure.h"
 
 namespace fenestra::io {
@@ -81,9 +83,23 @@ struct SessionPlacement {
   bool operator==(const SessionPlacement&) const = default;
 };
 
+/// The camera that a slice faces.
+enum class PlaneFollow : std::uint8_t { None, C1, C2 };
+
+/// The thickest slab, in mm.
+inline constexpr double mostSlab = 100.0;
+
+/// How the slices of an anatomical plane's view lie, and how thick they are.
+struct SessionPlane {
+  std::optional<PlaneAxes> axes;  ///< unset: the volume's own slices
+  PlaneFollow follow = PlaneFollow::None;
+  Slab slab;
+  bool operator==(const SessionPlane&) const = default;
+};
+
 /// What is drawn over the pictures.
 struct SessionOverlays {
-  bool crosshair = true, text = true, labels = true, measures = true;
+  bool crosshair = true, text = true, labels = true, measures = true, planes = false;
   bool operator==(const SessionOverlays&) const = default;
 };
 
@@ -101,9 +117,10 @@ struct Session {
   bool inverted = false;              ///< the slices show low values bright
   std::optional<glm::dvec3> crosshair;
   SessionOverlays overlays;
-  std::vector<Measure> measures;  ///< on the slices
-  std::string maximised;          ///< the view that has the whole area: "C1", "C2", "axial", …; empty: none
-  std::string layout;             ///< the window's own, in Base64
+  std::array<SessionPlane, 3> planes;  ///< axial, sagittal, coronal
+  std::vector<Measure> measures;       ///< on the slices
+  std::string maximised;               ///< the view that has the whole area: "C1", "C2", "axial", …; empty: none
+  std::string layout;                  ///< the window's own, in Base64
   SessionPlacement placement;
 
   /// In an automatic copy, the file of the session that it is newer than; empty: there is none, or this is no copy.

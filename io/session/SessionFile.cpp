@@ -108,6 +108,9 @@ void check(const Session& session, const json::Reader& top) {
   }
   refuseUnless(std::all_of(session.measures.begin(), session.measures.end(), isWellFormed), top,
                "has a measure without the points or the plane that its kind needs");
+  refuseUnless(std::all_of(session.planes.begin(), session.planes.end(),
+                           [](const SessionPlane& plane) { return !plane.axes || isPerpendicular(*plane.axes); }),
+               top, "has a slice whose axes are no perpendicular unit vectors");
 }
 
 }  // namespace

@@ -35,6 +35,23 @@ void members(auto& io, Is<Measure> auto& measure) {
   io.required("down", measure.down, {-1.0, 1.0}, {"Unit vector down the columns of that slice"});
 }
 
+inline auto wordsOf(SlabMode) {
+  return std::to_array<Word<SlabMode>>(
+      {{SlabMode::Maximum, "max"}, {SlabMode::Minimum, "min"}, {SlabMode::Mean, "mean"}});
+}
+
+void members(auto& io, Is<PlaneAxes> auto& axes) {
+  io.required("right", axes.right, {-1.0, 1.0}, {"Unit vector along the rows, in the patient (LPS)"});
+  io.required("down", axes.down, {-1.0, 1.0}, {"Unit vector down the columns"});
+  io.required("normal", axes.normal, {-1.0, 1.0}, {"Unit vector along which the slices are counted"});
+}
+
+void members(auto& io, Is<Slab> auto& slab) {
+  io("thickness", slab.thickness, {0.0, fenestra::io::mostSlab},
+     {"Half of it to each side of the slice; 0 is the slice alone", "mm"});
+  io("mode", slab.mode, {}, {"What of the values along the normal shows"});
+}
+
 void members(auto& io, Is<OpeningView> auto& opening) {
   io.required("camera", opening.camera);
   io.required("size", opening.size, {1.0, 16384.0}, {"Of the picture that the opening was cut for", "pixels"});
@@ -154,11 +171,24 @@ void members(auto& io, Is<SessionPlacement> auto& placement) {
   io("pick_reach", placement.liveSync.reach, {1.0, 1000.0}, {"How far from such a point its structure counts", "mm"});
 }
 
+inline auto wordsOf(PlaneFollow) {
+  return std::to_array<Word<PlaneFollow>>(
+      {{PlaneFollow::None, "none"}, {PlaneFollow::C1, "C1"}, {PlaneFollow::C2, "C2"}});
+}
+
+void members(auto& io, Is<SessionPlane> auto& plane) {
+  io.optional("axes", plane.axes, plane.axes.has_value(), {},
+              {"Where it is turned: perpendicular unit vectors; its slices pass through the crosshair"});
+  io("follow", plane.follow, {}, {"The camera that it faces, as that turns"});
+  io("slab", plane.slab, {}, {"How thick its slices are"});
+}
+
 void members(auto& io, Is<SessionOverlays> auto& overlays) {
   io("crosshair", overlays.crosshair);
   io("text", overlays.text);
   io("labels", overlays.labels);
   io("measures", overlays.measures);
+  io("planes", overlays.planes, {}, {"The slices' outlines in the 3-D views"});
 }
 
 void members(auto& io, Is<Session> auto& session) {
@@ -177,6 +207,7 @@ void members(auto& io, Is<Session> auto& session) {
   io("inverted", session.inverted, {}, {"Whether the slices show low values bright"});
   io.optional("crosshair", session.crosshair, session.crosshair.has_value(), millimetres);
   io("overlays", session.overlays, {}, {"What is drawn over the pictures"});
+  io("planes", session.planes, {}, {"How the axial, sagittal and coronal slices lie"});
   io("measures", session.measures, {}, {"Distances, angles and regions drawn on the slices"});
   io.optional("maximised", session.maximised, !session.maximised.empty(), {},
               {"The view that has the whole area: C1, C2, axial, sagittal or coronal"});

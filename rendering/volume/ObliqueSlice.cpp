@@ -13,6 +13,16 @@ constexpr double largestSide = 4096.0;
 
 }  // namespace
 
+bool isPerpendicular(const PlaneAxes& axes) {
+  const glm::dmat3 matrix(axes.right, axes.down, axes.normal);
+  const glm::dmat3 rest = glm::transpose(matrix) * matrix - glm::dmat3(1.0);
+  constexpr double rounding = 1e-5;
+  // Written so that what is no number is none either.
+  for (int column = 0; column < 3; ++column)
+    if (!glm::all(glm::lessThan(glm::abs(rest[column]), glm::dvec3(rounding)))) return false;
+  return true;
+}
+
 PlaneAxes planeAxes(const Grid& grid, SlicePlane plane) {
   const SliceGeometry geometry = sliceGeometry(grid, plane);
   PlaneAxes axes;

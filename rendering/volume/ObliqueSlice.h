@@ -15,6 +15,9 @@ struct PlaneAxes {
   bool operator==(const PlaneAxes&) const = default;
 };
 
+/// Whether they are what the struct says, to what six digits give.
+bool isPerpendicular(const PlaneAxes& axes);
+
 /// The directions of an anatomical plane's slices through the volume, those of a sheared grid made perpendicular.
 PlaneAxes planeAxes(const Grid& grid, SlicePlane plane);
 

@@ -6,6 +6,8 @@
 
 #include <glm/gtc/constants.hpp>
 
+#include "rendering/volume/ObliqueSlice.h"
+
 namespace fenestra {
 namespace {
 
@@ -125,9 +127,15 @@ MeasureValues valuesOf(const Measure& measure, const Volume& volume) {
     const SliceGeometry geometry = sliceGeometry(volume.grid, plane);
     if (const std::optional<int> slice = sliceOf(measure, geometry)) {
       values.region = valuesInside(measure, volume, geometry, *slice);
-      break;
+      return values;
     }
   }
+  const glm::dvec3 right = glm::normalize(measure.right);
+  const glm::dvec3 down = glm::normalize(measure.down - glm::dot(measure.down, right) * right);
+  const PlaneAxes axes{right, down, glm::cross(right, down)};
+  const SliceGeometry geometry = obliqueGeometry(volume.grid, SlicePlane::Axial, axes, measure.points[0]);
+  const auto slice = static_cast<int>(std::lround(geometry.pixelFromWorld(measure.points[0]).z));
+  values.region = valuesInside(measure, volume, geometry, slice);
   return values;
 }
 

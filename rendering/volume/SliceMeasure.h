@@ -45,11 +45,12 @@ struct MeasureValues {
   std::optional<double> length;  ///< mm
   std::optional<double> angle;   ///< degrees, 0 to 180
   std::optional<double> area;    ///< mm², of the drawn shape
-  /// Empty where no pixel centre of the volume lies inside, and on a plane that is none of the volume's.
+  /// Empty where no pixel centre of the volume lies inside.
   std::optional<RegionValues> region;
 };
 /// Lengths and angles come from the points alone. A region's values are those of the slice that it lies on, as
-/// sliceValues() gives them; pixels without a value do not count.
+/// sliceValues() gives them; on a turned plane, those of obliqueGeometry()'s pixels through its first point. Pixels
+/// without a value do not count.
 MeasureValues valuesOf(const Measure& measure, const Volume& volume);
 
 /// Where a measure can be grabbed: its points; a rectangle's four corners, the ends of an ellipse's axes.

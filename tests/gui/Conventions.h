@@ -77,6 +77,7 @@ class Conventions : public Window {
   QPoint at(glm::dvec3 world) { return axial()->widgetFromWorld(world).toPoint(); }
   TransferFunctionPlot& plot() { return panel<AppearancePanel>().editor().plot(); }
   MeasureMode& measuring() { return window_->workspace().measuring; }
+  SlicePlanes& planes() { return window_->workspace().planes; }
   Cases menuCases();
   void addFileAndEditCases(Cases& cases);
   void addViewCases(Cases& cases);

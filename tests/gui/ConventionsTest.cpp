@@ -47,6 +47,27 @@ Conventions::Cases Conventions::sliceGestures() {
       }
     }
   };
+  cases["Slices: Shift+wheel"] = [this] {
+    wheel(axial(), 2, Qt::ShiftModifier);
+    EXPECT_EQ(planes().pose(SlicePlane::Axial).slab.thickness, 2.0);
+    wheel(axial(), -2, Qt::ShiftModifier);
+    EXPECT_EQ(planes().pose(SlicePlane::Axial).slab.thickness, 0.0);
+  };
+  cases["The crosshair's lines, on the slices: Drag a ball"] =
+      cases["The crosshair's lines, on the slices: Shift+drag"] =
+          cases["The crosshair's lines, on the slices: Ctrl+drag"] = [this] {
+            for (const Qt::KeyboardModifiers modifiers : {Qt::NoModifier, Qt::ShiftModifier, Qt::ControlModifier}) {
+              cursor().moveTo({0, 0, 0});
+              const PlaneTool::Handle handle = axial()->planeTool().handles().at(0);
+              drag(axial(), handle.at.toPoint(), handle.at.toPoint() + QPoint(60, 60), Qt::LeftButton, modifiers);
+              for (const SlicePlane plane : {SlicePlane::Sagittal, SlicePlane::Coronal}) {
+                const double angle = axial()->planeTool().angle(plane);
+                EXPECT_EQ(planes().isTurned(plane), plane == handle.plane || modifiers == Qt::ControlModifier);
+                if (modifiers == Qt::ShiftModifier) EXPECT_NEAR(std::remainder(angle, 45.0), 0.0, 1e-9);
+              }
+              planes().resetAll();
+            }
+          };
   cases["Measures, on the slices: Drag, or clicks"] = cases["Measures, on the slices: Drag a handle or line"] =
       cases["Measures, on the slices: Right click on it"] = [this] {
         press("D");
@@ -100,6 +121,16 @@ void Conventions::addVolumeGestures(Cases& cases) {
     look.method = {};
     document().edit({}, look);
     cursor().moveTo(before);
+    waitUntilDrawn();
+  };
+  cases["Outlines of the slices, in the 3-D views: Drag a ball"] = [this] {
+    options().setPlanes(true);
+    const PlaneBallTool::Handle handle = volume(0)->planeTool().handles().at(0);
+    const QPoint from = volume(0)->widgetFromWorld(handle.at)->toPoint();
+    drag(volume(0), from, from + QPoint(20, 10));
+    EXPECT_TRUE(planes().isTurned(handle.plane));
+    planes().resetAll();
+    options().setPlanes(false);
     waitUntilDrawn();
   };
   cases["3-D views: Drag, arrows"] = [this] {

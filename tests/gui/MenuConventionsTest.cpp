@@ -109,6 +109,19 @@ void Conventions::addViewCases(Cases& cases) {
   cases["O"] = [this] { expectToggle("O", [this] { return options().labels(); }); };
   cases["T"] = [this] { expectToggle("T", [this] { return options().text(); }); };
   cases["H"] = [this] { expectToggle("H", [this] { return options().hidesPatient(); }); };
+  cases["Shift+O"] = [this] { expectToggle("Shift+O", [this] { return options().planes(); }); };
+  for (const char* keys : {"Shift+F", "N", "Shift+N"})
+    cases[keys] = [this, keys] {
+      axial()->setFocus();
+      press("Shift+F");
+      EXPECT_EQ(planes().pose(SlicePlane::Axial).follow, PlaneFollow::C1);
+      planes().setFollow(SlicePlane::Coronal, PlaneFollow::C2);
+      press(keys);
+      EXPECT_EQ(planes().pose(SlicePlane::Axial).follow, PlaneFollow::None);
+      EXPECT_EQ(planes().isTurned(SlicePlane::Axial), std::string(keys) == "Shift+F");
+      EXPECT_EQ(planes().isTurned(SlicePlane::Coronal), std::string(keys) != "Shift+N");
+      planes().resetAll();
+    };
   cases["F11"] = [this] { expectToggle("F11", [this] { return window_->isFullScreen(); }); };
   cases["Esc"] = [this] {
     views().toggleMaximised(axial());

@@ -123,6 +123,12 @@ std::map<std::string, SettingOwnersWindow::Probe> SettingOwnersWindow::probes() 
           cursor().moveTo({9.0, 8.0, 7.0});
         },
         [this, cursorBefore] { return cursor().position() != cursorBefore; }}},
+      {"Turned and thick slices",
+       {[this] {
+          window_->workspace().planes.setFollow(SlicePlane::Axial, PlaneFollow::C1);
+          window_->workspace().planes.setSlab(SlicePlane::Coronal, {5.0, SlabMode::Mean});
+        },
+        [this] { return window_->workspace().planes.poses() != std::array<PlanePose, 3>(); }}},
       {"Cameras and frozen openings",
        {[this] {
           cameras().orbit(0, 0.5, 0.2);
@@ -166,15 +172,17 @@ std::map<std::string, SettingOwnersWindow::Probe> SettingOwnersWindow::probes() 
       {"How cameras are placed",
        {[this, placed] { placement().setSettings(placed); },
         [this, placed] { return placement().settings() == placed; }}},
-      {"Cross, text, label colours, measures shown",
+      {"Cross, text, label colours, measures, planes shown",
        {[this] {
           options().setCrosshair(false);
           options().setText(false);
           options().setLabels(false);
           options().setMeasures(false);
+          options().setPlanes(true);
         },
         [this] {
-          return !options().crosshair() && !options().text() && !options().labels() && !options().measures();
+          return !options().crosshair() && !options().text() && !options().labels() && !options().measures() &&
+                 options().planes();
         }}},
       {"Click chooses the focus", {[this] { options().setGrows(false); }, [this] { return !options().grows(); }}},
       {"Size and softness of brushes",

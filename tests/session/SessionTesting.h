@@ -120,7 +120,11 @@ inline io::Session fullSession(const std::filesystem::path& folder) {
   session.window = WindowLevel{401.5, -39.25};
   session.inverted = true;
   session.crosshair = glm::dvec3(-0.0, 1e-300, 33.3);
-  session.overlays = {false, false, false, false};
+  session.overlays = {false, false, false, false, true};
+  session.planes = {
+      io::SessionPlane{{}, io::PlaneFollow::None, {12.5, SlabMode::Mean}},
+      io::SessionPlane{PlaneAxes{{0.6, 0.8, 0.0}, {0.0, 0.0, -1.0}, {0.8, -0.6, 0.0}}, io::PlaneFollow::None, {}},
+      io::SessionPlane{PlaneAxes{{1, 0, 0}, {0, 0, -1}, {0, 1, 0}}, io::PlaneFollow::C2, {5.0, SlabMode::Minimum}}};
   session.measures = {
       {MeasureKind::Angle, {{1.5, -2.25, 1.0 / 3.0}, {0.0, 7.0, 1e-9}, {-3.0, 0.1, 12.0}}, {0, 1, 0}, {0, 0, -1}},
       {MeasureKind::Ellipse, {{10.0, 20.0, 30.0}, {11.0, 22.0, 30.0}}, {0.6, 0.8, 0}, {-0.8, 0.6, 0}}};

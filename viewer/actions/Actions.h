@@ -86,6 +86,10 @@ class Actions : public QObject {
   QAction* makeFreezeEntry();
   QMenu* makeAtRestMenu();
   void makeOverlayEntries(QMenu& menu);
+  /// Where the slices lie, and how thick they are.
+  QMenu* makeSlicesMenu();
+  /// The plane of the slice that was used last; axial before one was.
+  SlicePlane usedPlane() const;
   void makeWindowLevelMenu();
   void makeMeasureMenu();
   void makeFocusMenu();

@@ -5,6 +5,7 @@
 #include <QCoreApplication>
 #include <QMenu>
 
+#include "viewer/actions/PlaneMenu.h"
 #include "viewer/model/LabelName.h"
 #include "viewer/model/Workspace.h"
 
@@ -17,7 +18,7 @@ struct StructureMenuWords {
 
 }  // namespace
 
-void showStructureMenu(Workspace& workspace, glm::dvec3 world, QPoint at) {
+void showStructureMenu(Workspace& workspace, glm::dvec3 world, QPoint at, std::optional<SlicePlane> plane) {
   Document& document = workspace.document;
   QMenu menu;
   const auto add = [&menu](const QString& text, auto does) {
@@ -45,6 +46,10 @@ void showStructureMenu(Workspace& workspace, glm::dvec3 world, QPoint at) {
   add(StructureMenuWords::tr("No focus"), [&document] {
     document.setFocus(std::monostate{});
   })->setEnabled(!std::holds_alternative<std::monostate>(document.focus()));
+  if (plane) {
+    menu.addSeparator();
+    fillPlaneMenu(menu, workspace, *plane);
+  }
   menu.exec(at);
 }
 

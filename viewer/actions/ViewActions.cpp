@@ -7,6 +7,7 @@
 #include <QMenuBar>
 
 #include "viewer/actions/Actions.h"
+#include "viewer/actions/PlaneMenu.h"
 #include "viewer/exports/Verification.h"
 #include "viewer/model/Workspace.h"
 #include "viewer/panels/CutawayPanel.h"
@@ -27,6 +28,7 @@ void Actions::makeViewMenu() {
   menu->addAction(verify);
   menu->addSeparator();
   makeOverlayEntries(*menu);
+  menu->addMenu(makeSlicesMenu());
   menu->addSeparator();
   menu->addAction(action(tr("All &views"), QKeySequence(tr("Esc")), [this] { stop(); }));
   menu->addAction(action(tr("F&ull screen"), QKeySequence(tr("F11")), [this] {
@@ -130,6 +132,44 @@ void Actions::makeOverlayEntries(QMenu& menu) {
   });
   menu.addActions({crosshair, labels, text, patient});
   tools_ << QList<QAction*>{crosshair, labels, text};
+}
+
+SlicePlane Actions::usedPlane() const {
+  const auto* slice = qobject_cast<const SliceView*>(targets_.views.activeView());
+  return slice ? slice->plane() : SlicePlane::Axial;
+}
+
+QMenu* Actions::makeSlicesMenu() {
+  SlicePlanes& planes = targets_.workspace.planes;
+  auto* menu = new QMenu(tr("&Slices"), &targets_.window);
+  const auto addFace = [&](const QString& text, const QKeySequence& keys, PlaneFollow follow) {
+    QAction* made = volumeAction(text, keys, [this, &planes, follow] {
+      const SlicePlane plane = usedPlane();
+      planes.setFollow(plane, planes.pose(plane).follow == follow ? PlaneFollow::None : follow);
+    });
+    made->setCheckable(true);
+    connect(menu, &QMenu::aboutToShow, made,
+            [this, made, &planes, follow] { made->setChecked(planes.pose(usedPlane()).follow == follow); });
+    menu->addAction(made);
+  };
+  addFace(tr("Face C&1"), QKeySequence(tr("Shift+F")), PlaneFollow::C1);
+  addFace(tr("Face C&2"), {}, PlaneFollow::C2);
+  QMenu* slab = menu->addMenu(tr("&Slab"));
+  connect(slab, &QMenu::aboutToShow, slab, [this, slab] {
+    slab->clear();
+    qDeleteAll(slab->findChildren<QActionGroup*>());
+    fillSlabMenu(*slab, targets_.workspace, usedPlane());
+  });
+  ViewOptions& options = targets_.workspace.options;
+  QAction* shown = toggle(tr("&Outlines in 3-D"), QKeySequence(tr("Shift+O")), options.planes(),
+                          [&options](bool on) { options.setPlanes(on); });
+  connect(&options, &ViewOptions::changed, shown, [&options, shown] { shown->setChecked(options.planes()); });
+  menu->addAction(shown);
+  menu->addSeparator();
+  menu->addAction(
+      volumeAction(tr("&Reset the plane"), QKeySequence(tr("N")), [this, &planes] { planes.reset(usedPlane()); }));
+  menu->addAction(volumeAction(tr("Reset &all planes"), QKeySequence(tr("Shift+N")), [&planes] { planes.resetAll(); }));
+  return menu;
 }
 
 QMenu* Actions::makeAtRestMenu() {

@@ -152,7 +152,8 @@ Sessions::Sessions(QWidget& window, Workspace& workspace, StudyLoader& loader, N
       workspace_(workspace),
       loader_(loader),
       notices_(notices),
-      controller_({workspace.document, workspace.cursor, workspace.cameras, workspace.placement, workspace.options},
+      controller_({workspace.document, workspace.cursor, workspace.planes, workspace.cameras, workspace.placement,
+                   workspace.options},
                   std::move(part)),
       questions_(sessionDialogs(&window)) {
   loader_.setMayReplaceLabels([this] { return workspace_.document.labelsAreInFile() || mayGo(); });

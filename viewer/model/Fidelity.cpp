@@ -102,6 +102,32 @@ void addParts(Causes& causes, const Scene& scene) {
   if (peelOf(look)) alter(causes, FidelityWords::tr("a layer is rolled up: distances on it do not hold"));
 }
 
+void addDraft(Causes& causes, const PictureState& state) {
+  alter(causes,
+        FidelityWords::tr("a draft while something moves, %1 % of the size").arg(100.0 * state.scale, 0, 'f', 0));
+}
+
+/// How a turned or thick slice comes from the voxels.
+void addPlane(Causes& causes, const PictureState& state) {
+  if (state.isDraft) addDraft(causes, state);
+  if (state.slab.thickness > 0.0) {
+    const QString thickness = mm(state.slab.thickness);
+    switch (state.slab.mode) {
+      case SlabMode::Maximum:
+        alter(causes, FidelityWords::tr("a slab: only the highest value of %1 mm shows").arg(thickness));
+        break;
+      case SlabMode::Minimum:
+        alter(causes, FidelityWords::tr("a slab: only the lowest value of %1 mm shows").arg(thickness));
+        break;
+      case SlabMode::Mean:
+        alter(causes, FidelityWords::tr("a slab: the mean of %1 mm shows").arg(thickness));
+        break;
+    }
+  }
+  if (state.isTurned || state.slab.thickness > 0.0)
+    causes.push_back({Fidelity::Faithful, FidelityWords::tr("values between voxels are interpolated linearly")});
+}
+
 void addSampling(Causes& causes, const Scene& scene, const PictureState& state) {
   const Look& look = scene.look;
   if (!state.reduction.isEmpty()) alter(causes, state.reduction);
@@ -124,8 +150,7 @@ void addSampling(Causes& causes, const Scene& scene, const PictureState& state) 
                       ? FidelityWords::tr("the surface of labels is smoothed lightly")
                       : FidelityWords::tr("the surface of labels is smoothed strongly"));
   if (state.isDraft) {
-    alter(causes,
-          FidelityWords::tr("a draft while something moves, %1 % of the size").arg(100.0 * state.scale, 0, 'f', 0));
+    addDraft(causes, state);
   } else if (!state.maxError) {
     alter(causes, FidelityWords::tr("the sampling error has no bound (quality: %1)")
                       .arg(nameOf(Effort{.quality = state.quality})));
@@ -149,6 +174,8 @@ std::vector<FidelityCause> fidelityOf(const io::Study& study, const Scene& scene
   if (state.is3D) {
     addParts(causes, scene);
     addSampling(causes, scene, state);
+  } else {
+    addPlane(causes, state);
   }
   std::stable_sort(causes.begin(), causes.end(),
                    [](const FidelityCause& a, const FidelityCause& b) { return a.grade > b.grade; });

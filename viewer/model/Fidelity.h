@@ -12,6 +12,7 @@
 #include "io/study/Study.h"
 #include "rendering/scene/Scene.h"
 #include "rendering/scene/View.h"
+#include "rendering/volume/Slab.h"
 
 namespace fenestra::viewer {
 
@@ -32,12 +33,14 @@ struct FidelityCause {
 struct PictureState {
   bool is3D = true;
   bool isCurrent = true;                ///< false: it shows what was asked for before
-  bool isDraft = false;                 ///< 3-D: drawn while something moves, or not yet refined
-  double scale = 1.0;                   ///< 3-D: its pixels along a side for each of the screen's
+  bool isDraft = false;                 ///< drawn while something moves, or not yet refined
+  double scale = 1.0;                   ///< its pixels along a side for each of the screen's
   Quality quality{};                    ///< 3-D
   std::optional<double> maxError = {};  ///< 3-D, in 1/255
   QString reduction = {};               ///< 3-D: GpuScene::reductionNotice()
   bool isInterpolated = false;          ///< slice: a plane that was not scanned
+  bool isTurned = false;                ///< slice: none of the volume's own
+  Slab slab = {};                       ///< slice
   QString verified = {};  ///< 3-D: what a certificate states of this very picture; empty: it was not verified
 };
 

@@ -15,6 +15,7 @@
 #include "viewer/model/Paths.h"
 #include "viewer/model/PlacementController.h"
 #include "viewer/model/SliceCursor.h"
+#include "viewer/model/SlicePlanes.h"
 #include "viewer/model/UserWork.h"
 #include "viewer/model/ViewLink.h"
 #include "viewer/model/ViewOptions.h"
@@ -104,9 +105,10 @@ io::Session SessionController::session() const {
   session.window = document.window();
   session.inverted = document.isInverted();
   session.crosshair = parts_.cursor.position();
+  session.planes = parts_.planes.poses();
   session.measures = document.measures();
   session.overlays = {parts_.options.crosshair(), parts_.options.text(), parts_.options.labels(),
-                      parts_.options.measures()};
+                      parts_.options.measures(), parts_.options.planes()};
   session.placement = sessionFrom(parts_.placement.settings());
   session.autosaveOf.clear();
   window_.describe(session);
@@ -128,6 +130,7 @@ void SessionController::studyOpened() {
     parts_.cameras.setPose({{session.views[0].camera, session.views[1].camera}, session.home});
     parts_.cameras.setFrozen({session.views[0].frozen, session.views[1].frozen});
     if (session.crosshair) parts_.cursor.moveTo(*session.crosshair);
+    parts_.planes.setPoses(session.planes);
     // The quality sphere shows what the cameras were chosen from; they stay.
     if (session.placement.automatic) parts_.placement.measureAlone();
   } else if (habits_) {
@@ -143,6 +146,7 @@ void SessionController::apply(const io::Session& session) {
   parts_.options.setText(session.overlays.text);
   parts_.options.setLabels(session.overlays.labels);
   parts_.options.setMeasures(session.overlays.measures);
+  parts_.options.setPlanes(session.overlays.planes);
   window_.restore(session);
 }
 

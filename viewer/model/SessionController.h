@@ -24,6 +24,7 @@ namespace fenestra::viewer {
 
 class PlacementController;
 class SliceCursor;
+class SlicePlanes;
 class ViewLink;
 class ViewOptions;
 
@@ -40,6 +41,7 @@ class SessionController : public QObject {
   struct Parts {
     Document& document;
     SliceCursor& cursor;
+    SlicePlanes& planes;
     ViewLink& cameras;
     PlacementController& placement;
     ViewOptions& options;

@@ -28,7 +28,26 @@ int SliceCursor::slice(const SliceGeometry& geometry) const {
 void SliceCursor::step(const SliceGeometry& geometry, int slices) {
   const glm::dvec3 pixel = geometry.pixelFromWorld(position_);
   const int target = std::clamp(slice(geometry) + slices, 0, std::max(0, geometry.count - 1));
-  moveTo(geometry.worldFromPixel(pixel.x, pixel.y, target));
+  const glm::dvec3 world = geometry.worldFromPixel(pixel.x, pixel.y, target);
+  moveTo(geometry.axis < 0 ? nearestOnPlane(world, geometry) : world);
+}
+
+glm::dvec3 SliceCursor::nearestOnPlane(glm::dvec3 point, const SliceGeometry& geometry) const {
+  const glm::dvec3 normal = glm::normalize(geometry.normal);
+  const glm::dmat4 indexFromWorld = grid_.indexFromWorld(), worldFromIndex = grid_.worldFromIndex();
+  // Projects onto the box and onto the plane in turn, which leads to a point of both (von Neumann's alternating
+  // projections); where the plane misses the box of voxel centres, to the nearest points of the two.
+  glm::dvec3 at = point;
+  constexpr int most = 200;
+  for (int i = 0; i < most; ++i) {
+    const glm::dvec3 index =
+        glm::clamp(glm::dvec3(indexFromWorld * glm::dvec4(at, 1.0)), glm::dvec3(0.0), glm::dvec3(grid_.dims - 1));
+    const glm::dvec3 inside(worldFromIndex * glm::dvec4(index, 1.0));
+    const double off = glm::dot(point - inside, normal);
+    at = inside + off * normal;
+    if (std::abs(off) < 1e-6 * glm::length(geometry.normal)) break;
+  }
+  return at;
 }
 
 }  // namespace fenestra::viewer

@@ -17,6 +17,7 @@ class ViewOptions : public QObject {
   bool grows() const { return grows_; }                ///< a click chooses the label there, or grows a region
   bool hidesPatient() const { return hidesPatient_; }  ///< no patient or study anywhere in the window
   bool clipHandles() const { return clipHandles_; }    ///< the crop box and clip planes have handles to drag
+  bool planes() const { return planes_; }              ///< the slices' outlines in the 3-D views, with handles to turn
   void setCrosshair(bool on) { set(crosshair_, on); }
   void setText(bool on) { set(text_, on); }
   void setLabels(bool on) { set(labels_, on); }
@@ -24,6 +25,7 @@ class ViewOptions : public QObject {
   void setGrows(bool on) { set(grows_, on); }
   void setHidesPatient(bool on) { set(hidesPatient_, on); }
   void setClipHandles(bool on) { set(clipHandles_, on); }
+  void setPlanes(bool on) { set(planes_, on); }
 
  Q_SIGNALS:
   void changed();
@@ -36,7 +38,7 @@ class ViewOptions : public QObject {
   }
 
   bool crosshair_ = true, text_ = true, labels_ = true, measures_ = true, grows_ = true, hidesPatient_ = false,
-       clipHandles_ = false;
+       clipHandles_ = true, planes_ = false;
 };
 
 }  // namespace fenestra::viewer

@@ -12,6 +12,7 @@
 #include "viewer/model/RegionBall.h"
 #include "viewer/model/SelectionBrush.h"
 #include "viewer/model/SliceCursor.h"
+#include "viewer/model/SlicePlanes.h"
 #include "viewer/model/ViewLink.h"
 #include "viewer/model/ViewOptions.h"
 
@@ -23,6 +24,7 @@ struct Workspace {
   Document document;
   SliceCursor cursor;
   ViewLink cameras;
+  SlicePlanes planes{document, cursor, cameras};
   PlacementController placement{document, cameras};
   ViewOptions options;
   Brush brush;

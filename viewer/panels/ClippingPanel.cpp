@@ -12,6 +12,7 @@
 
 #include "viewer/model/Document.h"
 #include "viewer/model/SliceCursor.h"
+#include "viewer/model/SlicePlanes.h"
 #include "viewer/model/Translation.h"
 #include "viewer/model/ViewLink.h"
 
@@ -36,10 +37,12 @@ QToolButton* button(const QString& text, const QString& tip) {
 
 }  // namespace
 
-ClippingPanel::ClippingPanel(Document& document, const SliceCursor& cursor, const ViewLink& cameras, QWidget* parent)
+ClippingPanel::ClippingPanel(Document& document, const SliceCursor& cursor, const SlicePlanes& slices,
+                             const ViewLink& cameras, QWidget* parent)
     : ScrollingPanel(parent),
       document_(document),
       cursor_(cursor),
+      slices_(slices),
       cameras_(cameras),
       crop_(new QCheckBox(tr("Crop to a box"))),
       planes_(new QListWidget),
@@ -189,11 +192,8 @@ void ClippingPanel::addPlane(const HalfSpace& plane) {
 }
 
 void ClippingPanel::addSlice(SlicePlane plane) {
-  const SliceGeometry geometry = sliceGeometry(document_.scene().volume->grid, plane);
-  const glm::dvec3 across = glm::normalize(glm::cross(geometry.right, geometry.down));
-  // Towards P, I or R.
-  const double side = glm::dot(across, geometry.normal) > 0.0 ? 1.0 : -1.0;
-  const glm::dvec3 normal = across * side * (plane == SlicePlane::Coronal ? 1.0 : -1.0);
+  // Towards P, I or R, where the slice is not turned.
+  const glm::dvec3 normal = slices_.axes(plane).normal * (plane == SlicePlane::Coronal ? 1.0 : -1.0);
   addPlane({normal, glm::dot(normal, cursor_.position())});
 }
 

@@ -22,12 +22,14 @@ namespace fenestra::viewer {
 
 class Document;
 class SliceCursor;
+class SlicePlanes;
 class ViewLink;
 
 class ClippingPanel : public ScrollingPanel {
   Q_OBJECT
  public:
-  ClippingPanel(Document& document, const SliceCursor& cursor, const ViewLink& cameras, QWidget* parent = nullptr);
+  ClippingPanel(Document& document, const SliceCursor& cursor, const SlicePlanes& slices, const ViewLink& cameras,
+                QWidget* parent = nullptr);
 
   QCheckBox* crop() const { return crop_; }
   /// The low (0) or high (1) end along L, P or S.
@@ -61,6 +63,7 @@ class ClippingPanel : public ScrollingPanel {
 
   Document& document_;
   const SliceCursor& cursor_;
+  const SlicePlanes& slices_;
   const ViewLink& cameras_;
   QCheckBox* crop_;
   std::array<QDoubleSpinBox*, 6> ends_{};

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include <QPointF>
+#include <QRectF>
 
 #include "rendering/settings/BrushStroke.h"
 #include "rendering/settings/Camera.h"
@@ -60,7 +61,8 @@ class PictureCanvas : public Canvas {
 class SliceCanvas : public Canvas {
  public:
   virtual const SliceGeometry& geometry() const = 0;
-  virtual int slice() const = 0;  ///< the number of the slice that is shown
+  virtual int slice() const = 0;    ///< the number of the slice that is shown
+  virtual QRectF view() const = 0;  ///< all of the view
   /// The point of that slice at a position, also beside the picture.
   virtual glm::dvec3 worldFromWidget(QPointF position) const = 0;
 

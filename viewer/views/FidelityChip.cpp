@@ -11,7 +11,7 @@ namespace fenestra::viewer {
 namespace {
 
 /// Lines of a view's own title at most.
-constexpr int titleLines = 4;
+constexpr int titleLines = 5;
 
 /// Colours that colour-blind users tell apart, too; the character says it once more.
 QColor colourOf(Fidelity grade) {

@@ -6,6 +6,7 @@
 
 #include "rendering/volume/Outline.h"
 #include "viewer/model/OpeningEdge.h"
+#include "viewer/model/SlicePlanes.h"
 #include "viewer/model/Workspace.h"
 #include "viewer/style/FocusRing.h"
 #include "viewer/style/Overlay.h"
@@ -40,6 +41,7 @@ SliceView::SliceView(SlicePlane plane, Workspace& workspace, OpeningEdge& openin
     : QWidget(parent),
       document_(workspace.document),
       cursor_(workspace.cursor),
+      planes_(workspace.planes),
       options_(workspace.options),
       opening_(opening),
       canvas_(makeCanvas()),
@@ -49,7 +51,8 @@ SliceView::SliceView(SlicePlane plane, Workspace& workspace, OpeningEdge& openin
       clipTool_(document_, options_, workspace.tool, *canvas_),
       ballTool_(workspace, *canvas_),
       measureTool_(workspace.measuring, document_, options_, *canvas_),
-      tools_({&carveTool_, &selectionTool_, &toleranceWheel_, &clipTool_, &measureTool_, &ballTool_}) {
+      planeTool_(workspace, *canvas_),
+      tools_({&carveTool_, &selectionTool_, &toleranceWheel_, &clipTool_, &measureTool_, &planeTool_, &ballTool_}) {
   geometry_.plane = plane;
   setMouseTracking(true);
   setFocusPolicy(Qt::StrongFocus);
@@ -68,6 +71,10 @@ SliceView::SliceView(SlicePlane plane, Workspace& workspace, OpeningEdge& openin
   });
   connect(&options_, &ViewOptions::changed, this, &SliceView::invalidate);
   connect(&cursor_, &SliceCursor::moved, this, &SliceView::followCursor);
+  connect(&planes_, &SlicePlanes::changed, this, [this](SlicePlane changed) {
+    // Another plane's cut shows as a line here.
+    changed == geometry_.plane ? followPlane() : update();
+  });
   connect(&document_, &Document::measuresChanged, this, [this] { update(); });
   connect(&document_, &Document::clippingChanged, this, [this] { update(); });
   connect(&document_, &Document::removalsChanged, this, [this] {
@@ -109,12 +116,14 @@ void SliceView::showVolume() {
 
 void SliceView::readGeometry() {
   if (!document_.hasVolume()) return;
-  geometry_ = fenestra::sliceGeometry(document_.scene().volume->grid, geometry_.plane);
+  geometry_ = planes_.geometry(geometry_.plane);
+  fitted_ = {geometry_.width * glm::length(geometry_.right), geometry_.height * glm::length(geometry_.down)};
   zoom_ = 1.0;
   centre_ = {0.5 * geometry_.width * glm::length(geometry_.right),
              0.5 * geometry_.height * glm::length(geometry_.down)};
   slice_ = cursor_.slice(geometry_);
   forgetSlice();
+  preparePicture();
   invalidate();
 }
 
@@ -129,11 +138,72 @@ void SliceView::forgetSlice() {
   image_ = {};
 }
 
+void SliceView::setGeometry(const SliceGeometry& geometry, glm::dvec3 kept) {
+  const QPointF before = widgetFromWorld(kept);
+  geometry_ = geometry;
+  slice_ = cursor_.slice(geometry_);
+  centre_ += (widgetFromWorld(kept) - before) / pixelsPerMm();
+}
+
+void SliceView::followPlane() {
+  if (!document_.hasVolume()) return;
+  setGeometry(planes_.geometry(geometry_.plane), cursor_.position());
+  preparePicture();
+  update();
+}
+
+SliceView::Picture SliceView::wantedPicture() const {
+  const Slab slab = planes_.pose(geometry_.plane).slab;
+  if (!planes_.isTurned(geometry_.plane)) return {geometry_, slice_, {}, slab};
+  // A turned slice costs an interpolation a pixel, so it is made of those in sight. While it moves, fewer.
+  const double voxel = glm::length(geometry_.right), scale = pixelsPerMm();
+  const double coarser = planes_.isMoving(geometry_.plane) ? 2.0 : 1.0;
+  const double side = std::max(voxel, coarser / (scale * devicePixelRatioF()));
+  const QPointF half(0.5 * width() / scale, 0.5 * height() / scale);
+  // Whole pixels from the corner of geometry_, so that they stay where they are while the view is moved.
+  const auto span = [side](double low, double high, double most) {
+    const int first = static_cast<int>(std::floor(std::clamp(low, 0.0, most) / side));
+    const int last = static_cast<int>(std::ceil(std::clamp(high, 0.0, most) / side));
+    return std::pair(first, std::max(last - first, 1));
+  };
+  const auto [left, columns] = span(centre_.x() - half.x(), centre_.x() + half.x(), geometry_.width * voxel);
+  const auto [top, rows] = span(centre_.y() - half.y(), centre_.y() + half.y(), geometry_.height * voxel);
+  Picture picture{geometry_, 0, QPointF(left, top) * side, slab};
+  SliceGeometry& pixels = picture.geometry;
+  pixels.origin = geometry_.worldFromPixel((left + 0.5) * side / voxel - 0.5, (top + 0.5) * side / voxel - 0.5, slice_);
+  pixels.right *= side / voxel;
+  pixels.down *= side / voxel;
+  pixels.width = columns;
+  pixels.height = rows;
+  pixels.count = 1;
+  return picture;
+}
+
+void SliceView::preparePicture() {
+  const Picture wanted = wantedPicture();
+  // A millionth of a millimetre is rounding: the crosshair has moved within the slice.
+  const auto same = [](glm::dvec3 a, glm::dvec3 b) { return glm::distance(a, b) < 1e-6; };
+  const SliceGeometry &a = picture_.geometry, &b = wanted.geometry;
+  const bool fits = picture_.slice == wanted.slice && picture_.slab == wanted.slab && a.width == b.width &&
+                    a.height == b.height && same(a.origin, b.origin) &&
+                    same(a.worldFromPixel(a.width, 0, 0), b.worldFromPixel(a.width, 0, 0)) &&
+                    same(a.worldFromPixel(0, a.height, 0), b.worldFromPixel(0, a.height, 0));
+  if (!fits) forgetSlice();
+  picture_ = wanted;
+}
+
 void SliceView::followCursor() {
+  if (document_.hasVolume() && planes_.isTurned(geometry_.plane)) {
+    setGeometry(planes_.geometry(geometry_.plane), document_.scene().volume->grid.centre());
+    preparePicture();
+    update();
+    return;
+  }
   const int slice = cursor_.slice(geometry_);
   if (slice != slice_) {
     slice_ = slice;
     forgetSlice();
+    if (document_.hasVolume()) preparePicture();
   }
   update();
 }
@@ -197,8 +267,11 @@ class SliceView::Tints {
 
 void SliceView::makeImage() {
   const Volume& volume = *document_.scene().volume;
-  if (values_.empty()) values_ = sliceValues(volume, geometry_, slice_);
-  if (labels_.empty() && document_.labels()) labels_ = sliceLabels(*document_.labels(), geometry_, slice_);
+  const SliceGeometry& pixels = picture_.geometry;
+  if (values_.empty())
+    values_ = picture_.slab.thickness > 0.0 ? slabValues(volume, pixels, picture_.slice, picture_.slab)
+                                            : sliceValues(volume, pixels, picture_.slice);
+  if (labels_.empty() && document_.labels()) labels_ = sliceLabels(*document_.labels(), pixels, picture_.slice);
   const segmentation::DrawnScene& drawn = document_.study().drawn;
   readSteps(steps_, drawn.showsRegion() ? drawn.labels() : nullptr);
   readSteps(awaited_, document_.growth() && !document_.showsGrowth() ? document_.growth()->steps : nullptr);
@@ -209,12 +282,12 @@ void SliceView::makeImage() {
 
   const Tints tints(document_, *this);
   std::vector<char> focused(values_.size(), 0);
-  image_ = QImage(geometry_.width, geometry_.height, QImage::Format_RGB32);
-  for (int row = 0; row < geometry_.height; ++row) {
+  image_ = QImage(picture_.geometry.width, picture_.geometry.height, QImage::Format_RGB32);
+  for (int row = 0; row < picture_.geometry.height; ++row) {
     auto* line = reinterpret_cast<QRgb*>(image_.scanLine(row));
-    for (int column = 0; column < geometry_.width; ++column) {
-      const std::size_t at =
-          static_cast<std::size_t>(row) * static_cast<std::size_t>(geometry_.width) + static_cast<std::size_t>(column);
+    for (int column = 0; column < picture_.geometry.width; ++column) {
+      const std::size_t at = static_cast<std::size_t>(row) * static_cast<std::size_t>(picture_.geometry.width) +
+                             static_cast<std::size_t>(column);
       const Tints::Tint& tint = tints.at(at);
       focused[at] = tint.focused;
       line[column] = options_.labels() && tint.percent ? blend(grey_[at], tint.colour, tint.percent)
@@ -226,35 +299,35 @@ void SliceView::makeImage() {
 
 void SliceView::readSteps(Steps& steps, std::shared_ptr<const LabelMap> of) const {
   if (std::exchange(steps.of, of) != of) steps.all.clear();
-  if (of && steps.all.empty()) steps.all = sliceLabels(*of, geometry_, slice_);
+  if (of && steps.all.empty()) steps.all = sliceLabels(*of, picture_.geometry, picture_.slice);
 }
 
 void SliceView::collectOutlines(const std::vector<char>& focused) {
   outline_.clear();
   awaitedOutline_.clear();
   if (!options_.labels()) return;
-  outline_ = polygonsOf(smoothOutlines(focused, geometry_.width, geometry_.height));
+  outline_ = polygonsOf(smoothOutlines(focused, picture_.geometry.width, picture_.geometry.height));
   if (awaited_.all.empty()) return;
   const auto last = static_cast<std::uint16_t>(document_.regionStep());
   std::vector<char> awaited(awaited_.all.size());
   std::transform(awaited_.all.begin(), awaited_.all.end(), awaited.begin(),
                  [last](std::uint16_t step) { return step != 0 && step <= last; });
-  awaitedOutline_ = polygonsOf(smoothOutlines(awaited, geometry_.width, geometry_.height));
+  awaitedOutline_ = polygonsOf(smoothOutlines(awaited, picture_.geometry.width, picture_.geometry.height));
 }
 
 QTransform SliceView::widgetFromPixels() const {
   const double scale = pixelsPerMm();
-  const QPointF topLeft = QPointF(0.5 * width(), 0.5 * height()) - centre_ * scale;
+  const QPointF topLeft = QPointF(0.5 * width(), 0.5 * height()) + (picture_.corner - centre_) * scale;
   QTransform transform = QTransform::fromTranslate(topLeft.x(), topLeft.y());
-  transform.scale(scale * glm::length(geometry_.right), scale * glm::length(geometry_.down));
+  transform.scale(scale * glm::length(picture_.geometry.right), scale * glm::length(picture_.geometry.down));
   return transform;
 }
 
 QPainterPath SliceView::openingEdge() const {
   if (!opening_.starts() || !document_.hasVolume()) return {};
   if (!openingOutline_)
-    openingOutline_ = polygonsOf(
-        smoothOutlines(openedPixels(*opening_.starts(), geometry_, slice_), geometry_.width, geometry_.height));
+    openingOutline_ = polygonsOf(smoothOutlines(openedPixels(*opening_.starts(), picture_.geometry, picture_.slice),
+                                                picture_.geometry.width, picture_.geometry.height));
   QPainterPath path;
   for (const QPolygonF& line : *openingOutline_) {
     path.addPolygon(line);
@@ -268,22 +341,22 @@ const QList<QPolygonF>& SliceView::removedOutline() const {
   removedOutline_.emplace();
   const std::shared_ptr<const RemovedVoxels>& removed = document_.scene().removed;
   if (!removed) return *removedOutline_;
-  std::vector<char> gone(static_cast<std::size_t>(geometry_.width) * static_cast<std::size_t>(geometry_.height), 0);
+  std::vector<char> gone(
+      static_cast<std::size_t>(picture_.geometry.width) * static_cast<std::size_t>(picture_.geometry.height), 0);
   const glm::dmat4 indexFromWorld = removed->grid.indexFromWorld();
-  for (int row = 0; row < geometry_.height; ++row)
-    for (int column = 0; column < geometry_.width; ++column) {
-      const glm::dvec4 world(geometry_.worldFromPixel(column, row, slice_), 1.0);
+  for (int row = 0; row < picture_.geometry.height; ++row)
+    for (int column = 0; column < picture_.geometry.width; ++column) {
+      const glm::dvec4 world(picture_.geometry.worldFromPixel(column, row, picture_.slice), 1.0);
       const glm::ivec3 voxel(glm::floor(glm::dvec3(indexFromWorld * world) + 0.5));
-      gone[static_cast<std::size_t>(row) * static_cast<std::size_t>(geometry_.width) +
+      gone[static_cast<std::size_t>(row) * static_cast<std::size_t>(picture_.geometry.width) +
            static_cast<std::size_t>(column)] = RemovedVoxels::isGone(removed->at(voxel));
     }
-  *removedOutline_ = polygonsOf(smoothOutlines(gone, geometry_.width, geometry_.height));
+  *removedOutline_ = polygonsOf(smoothOutlines(gone, picture_.geometry.width, picture_.geometry.height));
   return *removedOutline_;
 }
 
 double SliceView::pixelsPerMm() const {
-  const double fit = std::min(width() / (geometry_.width * glm::length(geometry_.right)),
-                              height() / (geometry_.height * glm::length(geometry_.down)));
+  const double fit = std::min(width() / fitted_.width(), height() / fitted_.height());
   return fit * zoom_;
 }
 

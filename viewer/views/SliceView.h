@@ -1,10 +1,10 @@
 #pragma once
-// One anatomical plane through the volume: grey values under the window, label colours, focus outline, crosshair.
-// Plain QWidget and QImage, so it works where 3-D cannot start.
+// One anatomical plane through the volume, or the plane that it was turned to (SlicePlanes): grey values under the
+// window, label colours, focus outline, crosshair. Plain QWidget and QImage, so it works where 3-D cannot start.
 //
 // Left click: crosshair and focus, see clickStructure(); left drag: window/level, unless a tool takes it; middle: pan;
-// right drag or Ctrl+wheel: zoom; wheel and arrows: slices; Shift+move: crosshair. The tools: CarveTool, SelectionTool,
-// ToleranceWheel, ClipTool, MeasureTool, RegionBallTool.
+// right drag or Ctrl+wheel: zoom; wheel and arrows: slices; Shift+wheel: slab; Shift+move: crosshair. The tools:
+// CarveTool, SelectionTool, ToleranceWheel, ClipTool, MeasureTool, PlaneTool, RegionBallTool.
 
 #include <memory>
 #include <optional>
@@ -17,12 +17,14 @@
 
 #include "rendering/settings/Focus.h"
 #include "rendering/volume/LabelMap.h"
+#include "rendering/volume/Slab.h"
 #include "rendering/volume/Slice.h"
 #include "viewer/model/Fidelity.h"
 #include "viewer/model/Lateness.h"
 #include "viewer/tools/CarveTool.h"
 #include "viewer/tools/ClipTool.h"
 #include "viewer/tools/MeasureTool.h"
+#include "viewer/tools/PlaneTool.h"
 #include "viewer/tools/RegionBallTool.h"
 #include "viewer/tools/SelectionTool.h"
 #include "viewer/tools/ToleranceWheel.h"
@@ -34,6 +36,7 @@ class Document;
 class OpeningEdge;
 class SliceCanvas;
 class SliceCursor;
+class SlicePlanes;
 class ViewOptions;
 struct Workspace;
 
@@ -45,10 +48,12 @@ class SliceView : public QWidget {
   ~SliceView() override;
 
   SlicePlane plane() const { return geometry_.plane; }
+  /// Of all slices along the plane's normal, in whole pictures of at least the volume's voxels.
   const SliceGeometry& sliceGeometry() const { return geometry_; }
   int slice() const { return slice_; }
   const MeasureTool& measureTool() const { return measureTool_; }
   const ClipTool& clipTool() const { return clipTool_; }
+  const PlaneTool& planeTool() const { return planeTool_; }
   /// Fits the whole slice into the view and sets the data's own window and level.
   void resetView();
 
@@ -108,11 +113,17 @@ class SliceView : public QWidget {
   /// Drops the shown slice's data and images.
   void forgetSlice();
   void followCursor();
+  /// The plane lies elsewhere: the crosshair keeps its place in the view.
+  void followPlane();
+  /// Goes on with other slices; a point keeps its place in the view.
+  void setGeometry(const SliceGeometry& geometry, glm::dvec3 kept);
+  /// Drops what was made for other pixels than those that the view needs now.
+  void preparePicture();
   void invalidate();
   void makeImage();
   /// Tints of a pixel's label, and of the focus over it.
   class Tints;
-  /// Pixels to the widget.
+  /// Pixels of the picture, from its corner, to the widget.
   QTransform widgetFromPixels() const;
   void readSteps(Steps& steps, std::shared_ptr<const LabelMap> of) const;
   void collectOutlines(const std::vector<char>& focused);
@@ -130,6 +141,8 @@ class SliceView : public QWidget {
   /// Crosshair, seeds, letters, scale bar and corner text.
   void drawMarks(QPainter& painter, bool interpolated) const;
   void drawCrosshair(QPainter& painter) const;
+  /// What the slice is, beside its name and its number.
+  QStringList planeText() const;
   void drawSeeds(QPainter& painter) const;
   /// Marks the planes that were not scanned. Returns whether the shown slice is one.
   bool drawInterpolated(QPainter& painter, const QRectF& picture) const;
@@ -137,10 +150,22 @@ class SliceView : public QWidget {
 
   Document& document_;
   SliceCursor& cursor_;
+  SlicePlanes& planes_;
   ViewOptions& options_;
 
   SliceGeometry geometry_;
   int slice_ = 0;
+  QSizeF fitted_;  ///< mm, what fits into the view at zoom 1: stays while the plane turns
+  /// The pixels that the view shows: geometry_'s own, or those of a turned plane that are in sight, at the size of the
+  /// screen's where these are larger. All pictures and outlines below are in these pixels.
+  struct Picture {
+    SliceGeometry geometry;
+    int slice = 0;
+    QPointF corner;  ///< mm from geometry_'s corner
+    Slab slab;
+  };
+  Picture picture_;
+  Picture wantedPicture() const;
   std::vector<float> values_;  ///< real values of the slice
   struct GreyLevels {
     WindowLevel window;
@@ -179,11 +204,13 @@ class SliceView : public QWidget {
   ClipTool clipTool_;
   RegionBallTool ballTool_;
   MeasureTool measureTool_;
+  PlaneTool planeTool_;
   ViewTools tools_;
   bool toolTookPress_ = false;
-  bool awaits_ = false;  ///< see setAwaits()
-  Lateness lateness_;    ///< of what was asked for and does not show
-  double wheel_ = 0.0;   ///< wheel angle that is not yet a whole notch, in eighths of a degree
+  bool awaits_ = false;     ///< see setAwaits()
+  Lateness lateness_;       ///< of what was asked for and does not show
+  double wheel_ = 0.0;      ///< wheel angle that is not yet a whole notch, in eighths of a degree
+  double slabWheel_ = 0.0;  ///< the same, of the wheel that changes the slab
 };
 
 }  // namespace fenestra::viewer

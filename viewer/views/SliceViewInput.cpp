@@ -8,6 +8,7 @@
 
 #include "viewer/model/Document.h"
 #include "viewer/model/SliceCursor.h"
+#include "viewer/model/SlicePlanes.h"
 #include "viewer/model/StructureClick.h"
 #include "viewer/model/ViewOptions.h"
 #include "viewer/tools/Canvas.h"
@@ -118,10 +119,17 @@ void SliceView::wheelEvent(QWheelEvent* event) {
     return;
   }
   // One notch of a wheel is 120; touchpads send less at a time.
-  wheel_ += angle;
-  const int steps = static_cast<int>(wheel_ / 120.0);
-  wheel_ -= steps * 120.0;
-  if (steps) cursor_.step(geometry_, steps);
+  const bool thickens = event->modifiers() & Qt::ShiftModifier;
+  double& turned = thickens ? slabWheel_ : wheel_;
+  // Some systems turn the wheel sideways while Shift is held.
+  turned += thickens && angle == 0.0 ? event->angleDelta().x() : angle;
+  const int steps = static_cast<int>(turned / 120.0);
+  turned -= steps * 120.0;
+  if (!steps) return;
+  if (thickens)
+    planes_.stepSlab(geometry_.plane, steps);
+  else
+    cursor_.step(geometry_, steps);
 }
 
 void SliceView::keyPressEvent(QKeyEvent* event) {
@@ -159,6 +167,7 @@ class SliceView::ToolCanvas : public SliceCanvas {
 
   const SliceGeometry& geometry() const override { return view_.geometry_; }
   int slice() const override { return view_.slice_; }
+  QRectF view() const override { return view_.rect(); }
   QPointF onSlice(glm::dvec3 world) const override { return view_.widgetFromWorld(world); }
   glm::dvec3 worldFromWidget(QPointF position) const override { return view_.worldFromWidget(position); }
   std::optional<glm::dvec3> pickSurface(QPointF position) const override {

@@ -4,12 +4,15 @@
 #include <cmath>
 
 #include <QHelpEvent>
+#include <QLineF>
 #include <QPainter>
 
 #include "viewer/model/Document.h"
 #include "viewer/model/NumberText.h"
 #include "viewer/model/PatientLines.h"
+#include "viewer/model/SlabText.h"
 #include "viewer/model/SliceCursor.h"
+#include "viewer/model/SlicePlanes.h"
 #include "viewer/model/ViewOptions.h"
 #include "viewer/style/InterpolatedPlanes.h"
 #include "viewer/style/Overlay.h"
@@ -34,12 +37,14 @@ void SliceView::paintEvent(QPaintEvent*) {
 void SliceView::draw(QPainter& painter, bool marks) {
   painter.fillRect(rect(), Qt::black);
   if (!document_.hasVolume()) return;
+  preparePicture();
   if (image_.isNull()) makeImage();
 
   const double scale = pixelsPerMm();
-  const QPointF topLeft = QPointF(0.5 * width(), 0.5 * height()) - centre_ * scale;
-  const QRectF target(topLeft, QSizeF(geometry_.width * glm::length(geometry_.right) * scale,
-                                      geometry_.height * glm::length(geometry_.down) * scale));
+  const SliceGeometry& pixels = picture_.geometry;
+  const QPointF topLeft = QPointF(0.5 * width(), 0.5 * height()) + (picture_.corner - centre_) * scale;
+  const QRectF target(topLeft, QSizeF(pixels.width * glm::length(pixels.right) * scale,
+                                      pixels.height * glm::length(pixels.down) * scale));
   painter.setRenderHint(QPainter::SmoothPixmapTransform);
   painter.drawImage(target, image_);
 
@@ -54,7 +59,13 @@ bool SliceView::showsText() const { return options_.text(); }
 
 std::vector<FidelityCause> SliceView::fidelity() const {
   return fidelityOf(document_.study(), document_.scene(),
-                    {.is3D = false, .isCurrent = !lateness_.isLate(), .isInterpolated = showsInterpolated()});
+                    {.is3D = false,
+                     .isCurrent = !lateness_.isLate(),
+                     .isDraft = planes_.isMoving(geometry_.plane),
+                     .scale = 0.5,
+                     .isInterpolated = showsInterpolated(),
+                     .isTurned = planes_.isTurned(geometry_.plane),
+                     .slab = planes_.pose(geometry_.plane).slab});
 }
 
 bool SliceView::showsInterpolated() const {
@@ -84,10 +95,12 @@ void SliceView::drawMarks(QPainter& painter, bool interpolated) const {
   drawScaleBar(painter, view, 1.0 / pixelsPerMm());
   QStringList title{name()};
   if (interpolated) title << tr("Interpolated, not scanned");
+  title << planeText();
   if (options_.text()) {
     title << tr("%1 / %2").arg(slice_ + 1).arg(geometry_.count).replace(QLatin1Char(' '), QChar(QChar::Nbsp));
     drawCorner(painter, view, Qt::AlignBottom | Qt::AlignLeft, windowText(painter.fontMetrics()), overlayGrey);
-    if (geometry_.plane != SlicePlane::Sagittal) {  // where left and right could be mistaken
+    // Where left and right could be mistaken; a turned slice has its letters.
+    if (geometry_.plane != SlicePlane::Sagittal && !planes_.isTurned(geometry_.plane)) {
       const QString convention = tr("Radiological");
       if (fitsBesideLetter(painter, view, convention))
         drawCorner(painter, view, Qt::AlignTop | Qt::AlignRight, {convention}, overlayGrey);
@@ -147,7 +160,7 @@ QStringList SliceView::windowText(const QFontMetrics& metrics) const {
 
 bool SliceView::drawInterpolated(QPainter& painter, const QRectF& picture) const {
   const std::optional<io::GeometryReport>& report = document_.study().geometry;
-  if (!report || report->interpolatedPlanes.empty()) return false;
+  if (!report || report->interpolatedPlanes.empty() || planes_.isTurned(geometry_.plane)) return false;
   const Grid& grid = document_.scene().volume->grid;
   QTransform widgetFromPixel = QTransform::fromTranslate(picture.left(), picture.top());
   widgetFromPixel.scale(picture.width() / geometry_.width, picture.height() / geometry_.height);
@@ -157,24 +170,38 @@ bool SliceView::drawInterpolated(QPainter& painter, const QRectF& picture) const
 }
 
 void SliceView::drawCrosshair(QPainter& painter) const {
-  const QPointF at = widgetFromWorld(cursor_.position());
-  // Each line is where another plane cuts this one, in that plane's colour.
-  const SlicePlane vertical = geometry_.plane == SlicePlane::Sagittal ? SlicePlane::Coronal : SlicePlane::Sagittal;
-  const SlicePlane horizontal = geometry_.plane == SlicePlane::Axial ? SlicePlane::Coronal : SlicePlane::Axial;
   constexpr double gap = 10.0;  // around the crossing, so that the lines do not cover the voxel
   painter.save();
-  painter.setRenderHint(QPainter::Antialiasing, false);
-  const auto line = [&](SlicePlane plane, QPointF from, QPointF to) {
-    QColor colour = planeColour(plane);
+  for (const PlaneCut& cut : planeTool_.cuts()) {
+    // A line along the picture's rows or columns stays one pixel wide.
+    const bool isOblique = std::abs(cut.along.x() * cut.along.y()) > 1e-6;
+    painter.setRenderHint(QPainter::Antialiasing, isOblique);
+    QColor colour = planeColour(cut.plane);
     colour.setAlpha(170);
-    painter.setPen(QPen(colour, 1));
-    painter.drawLine(from, to);
-  };
-  line(vertical, {at.x(), 0.0}, {at.x(), at.y() - gap});
-  line(vertical, {at.x(), at.y() + gap}, {at.x(), static_cast<double>(height())});
-  line(horizontal, {0.0, at.y()}, {at.x() - gap, at.y()});
-  line(horizontal, {at.x() + gap, at.y()}, {static_cast<double>(width()), at.y()});
+    painter.setPen(QPen(colour, isOblique ? 1.2 : 1.0));
+    const QPointF middle = QRectF(rect()).center();
+    // Beyond the view's edge, wherever the crosshair is.
+    const double reach = QLineF(cut.at, middle).length() + std::hypot(width(), height());
+    for (const double side : {-1.0, 1.0})
+      painter.drawLine(cut.at + side * gap * cut.along, cut.at + side * reach * cut.along);
+  }
   painter.restore();
+}
+
+QStringList SliceView::planeText() const {
+  QStringList text;
+  const PlanePose& pose = planes_.pose(geometry_.plane);
+  const auto joined = [](QString line) { return line.replace(QLatin1Char(' '), QChar(QChar::Nbsp)); };
+  if (pose.axes) {
+    const PlaneTilt tilt = planes_.tilt(geometry_.plane);
+    const QString degrees = QString::number(tilt.degrees, 'f', tilt.degrees < 9.95 ? 1 : 0);
+    const QString from = planeName(tilt.from).toLower();
+    text << (pose.follow == PlaneFollow::None ? tr("Oblique, %1° from %2").arg(degrees, from)
+             : pose.follow == PlaneFollow::C1 ? tr("Faces C1, %1° from %2").arg(degrees, from)
+                                              : tr("Faces C2, %1° from %2").arg(degrees, from));
+  }
+  if (pose.slab.thickness > 0.0) text << joined(slabText(pose.slab));
+  return text;
 }
 
 void SliceView::drawSeeds(QPainter& painter) const {

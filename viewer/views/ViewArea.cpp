@@ -48,7 +48,6 @@ template <class View>
 void ViewArea::connectView(View* view) {
   connect(view, &View::pointed, this, &ViewArea::pointed);
   connect(view, &View::left, this, &ViewArea::left);
-  connect(view, &View::menuRequested, this, &ViewArea::menuRequested);
   connect(view, &View::maximiseRequested, this, [this, view] { toggleMaximised(view); });
 }
 
@@ -60,6 +59,7 @@ void ViewArea::addVolumeViews(Workspace& workspace, const GlSupport& gl, const C
   for (int index = 0; index < ViewLink::count; ++index) {
     auto* view = new VolumeView(index, workspace, shared);
     connectView(view);
+    connect(view, &VolumeView::menuRequested, this, &ViewArea::menuRequested);
     connect(view, &VolumeView::failed, this, &ViewArea::failed);
     connect(view, &VolumeView::reduced, this, &ViewArea::reduced);
     connect(view, &VolumeView::drawn, this, &ViewArea::drawn);
@@ -85,6 +85,8 @@ void ViewArea::addSliceViews(Workspace& workspace) {
   for (const SlicePlane plane : {SlicePlane::Axial, SlicePlane::Sagittal, SlicePlane::Coronal}) {
     auto* view = new SliceView(plane, workspace, opening_);
     connectView(view);
+    connect(view, &SliceView::menuRequested, this,
+            [this, plane](glm::dvec3 world, QPoint at) { Q_EMIT sliceMenuRequested(plane, world, at); });
     connect(view, &SliceView::measureMenuRequested, this, &ViewArea::measureMenuRequested);
     connect(view, &SliceView::picked, this, &ViewArea::picked);
     connect(view, &SliceView::pickTakenBack, this, &ViewArea::pickTakenBack);

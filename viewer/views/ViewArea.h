@@ -67,7 +67,9 @@ class ViewArea : public QWidget {
  Q_SIGNALS:
   void pointed(glm::dvec3 world);
   void left();
+  /// By a right click in a 3-D view.
   void menuRequested(glm::dvec3 world, QPoint globalPosition);
+  void sliceMenuRequested(SlicePlane plane, glm::dvec3 world, QPoint globalPosition);
   void measureMenuRequested(std::size_t measure, QPoint globalPosition);
   /// See SliceView.
   void picked(glm::dvec3 world);

@@ -56,8 +56,10 @@ VolumeView::VolumeView(int index, Workspace& workspace, Shared shared, QWidget* 
       toleranceWheel_(document_),
       clipTool_(document_, options_, active_, *canvas_),
       wallTool_(document_, cursor_, options_, active_, *canvas_),
+      planeTool_(workspace, *canvas_),
       ballTool_(workspace, *canvas_),
-      tools_({&brushTool_, &carveTool_, &selectionTool_, &toleranceWheel_, &clipTool_, &wallTool_, &ballTool_}),
+      tools_({&brushTool_, &carveTool_, &selectionTool_, &toleranceWheel_, &clipTool_, &wallTool_, &planeTool_,
+              &ballTool_}),
       shared_(std::move(shared)),
       surface_(
           PictureSurface::make(shared_.software, *this, {.paint = [this] { paint(); }, .shown = [this] { shown(); }})) {
@@ -72,6 +74,9 @@ VolumeView::VolumeView(int index, Workspace& workspace, Shared shared, QWidget* 
   connect(&rest_, &QTimer::timeout, this, &VolumeView::settle);
   connect(&refining_, &QTimer::timeout, this, &VolumeView::refine);
   connect(&workspace.ball, &RegionBall::changed, this, &VolumeView::repaintSurface);
+  connect(&workspace.planes, &SlicePlanes::changed, this, [this] {
+    if (options_.planes()) repaintSurface();
+  });
   followScene();
   followTools();
 }

@@ -9,8 +9,8 @@
 //
 // Left drag: rotate, unless a tool takes it; left click: crosshair and focus to what is seen, see clickStructure();
 // middle: pan; right drag or wheel: zoom; arrows: turn by steps. The tools: BrushTool, CarveTool, SelectionTool,
-// ToleranceWheel, ClipTool, WallTool, RegionBallTool. Strokes that begin while another thread has the context wait
-// until it is free.
+// ToleranceWheel, ClipTool, WallTool, PlaneBallTool, RegionBallTool. Strokes that begin while another thread has the
+// context wait until it is free.
 //
 // Another volume blanks the view at once, and a line says what is awaited until its first picture is there. A picture
 // that has not been what was asked for since a moment is marked.
@@ -34,6 +34,7 @@
 #include "viewer/tools/BrushTool.h"
 #include "viewer/tools/CarveTool.h"
 #include "viewer/tools/ClipTool.h"
+#include "viewer/tools/PlaneBallTool.h"
 #include "viewer/tools/RegionBallTool.h"
 #include "viewer/tools/SelectionTool.h"
 #include "viewer/tools/ToleranceWheel.h"
@@ -131,6 +132,7 @@ class VolumeView : public QWidget {
   const BrushTool& brushTool() const { return brushTool_; }
   const ClipTool& clipTool() const { return clipTool_; }
   const WallTool& wallTool() const { return wallTool_; }
+  const PlaneBallTool& planeTool() const { return planeTool_; }
   /// Uploads and compiles for all views; others use its OpenGL context.
   ScenePreparation& preparation() { return *shared_.preparation; }
   /// Runs `work` with the pictures' OpenGL context current. Returns false without running it where the driver has lost
@@ -276,6 +278,7 @@ class VolumeView : public QWidget {
   ToleranceWheel toleranceWheel_;
   ClipTool clipTool_;
   WallTool wallTool_;
+  PlaneBallTool planeTool_;
   RegionBallTool ballTool_;
   ViewTools tools_;
   std::vector<std::unique_ptr<QMouseEvent>> waiting_;  ///< events of strokes, see keepsForLater()
