@@ -4,6 +4,7 @@
 #include <QDockWidget>
 #include <QMainWindow>
 
+#include "viewer/DockFolding.h"
 #include "viewer/DockHeights.h"
 #include "viewer/model/Workspace.h"
 #include "viewer/panels/AppearancePanel.h"
@@ -33,7 +34,8 @@ Panels makePanels(QMainWindow& window, Workspace& workspace) {
                 .cameras = new CamerasPanel(document, workspace.cameras, workspace.placement),
                 .brush = new BrushPanel(document, workspace.brush),
                 .clipping = new ClippingPanel(document, workspace.cursor, workspace.cameras),
-                .heights = nullptr};
+                .heights = nullptr,
+                .folding = nullptr};
   const auto add = [&window](const QString& title, const char* name, QWidget* panel) {
     auto* dock = new QDockWidget(title);
     dock->setObjectName(QLatin1String(name));
@@ -66,6 +68,12 @@ Panels makePanels(QMainWindow& window, Workspace& workspace) {
   window.resizeDocks({focus}, {310}, Qt::Horizontal);
   // The list of structures takes the remaining height.
   panels.heights = new DockHeights(window, {focus, context, cutaway});
+  const QList<QDockWidget*> docks = window.findChildren<QDockWidget*>();
+  panels.folding = new DockFolding(window, {docks.begin(), docks.end()});
+  QObject::connect(panels.folding, &DockFolding::changed, panels.heights, &DockHeights::adapt);
+  QObject::connect(&workspace.brush, &Brush::activeChanged, brush, [brush, folding = panels.folding](bool active) {
+    if (active) folding->setFolded(*brush, false);
+  });
   return panels;
 }
 

@@ -11,6 +11,7 @@ class CamerasPanel;
 class ClippingPanel;
 class ContextLayerPanel;
 class CutawayPanel;
+class DockFolding;
 class DockHeights;
 class FocusPanel;
 struct Workspace;
@@ -25,6 +26,7 @@ struct Panels {
   BrushPanel* brush;
   ClippingPanel* clipping;
   DockHeights* heights;
+  DockFolding* folding;
 };
 
 /// Makes the panels and docks them in the window.

@@ -3,14 +3,17 @@
 // hold the menus.
 
 #include <functional>
+#include <memory>
 
 #include <QList>
 #include <QMenu>
 #include <QObject>
 
 #include "viewer/actions/ViewCommands.h"
+#include "viewer/dialogs/KeyBindings.h"
 #include "viewer/jobs/StudyLoader.h"
 #include "viewer/model/Preferences.h"
+#include "viewer/views/Cine.h"
 #include "viewer/views/GlSupport.h"
 
 class QAction;
@@ -47,6 +50,7 @@ class Actions : public QObject {
     Sessions& sessions;
     ViewArea& views;
     GlSupport gl;
+    std::function<void()> closeStudy;
     std::function<void()> resetLayout;
     CutawayPanel& cutaway;
     Guide& guide;
@@ -61,6 +65,8 @@ class Actions : public QObject {
 
  private:
   QAction* action(const QString& text, const QKeySequence& keys, std::function<void()> does);
+  /// Adds another key to an action.
+  static void addKey(QAction& action, const QKeySequence& keys);
   /// Enabled while something is open.
   QAction* volumeAction(const QString& text, const QKeySequence& keys, std::function<void()> does);
   /// Follows a preference, and changes it.
@@ -76,23 +82,33 @@ class Actions : public QObject {
   void addExports(QMenu& menu);
   void makeEditMenu();
   void makeViewMenu();
+  void makeLayoutMenu(QMenu& menu);
+  void makeSliceMenu(QMenu& menu);
+  /// The slice that is active; while a 3-D view is, the first that shows.
+  SliceView& activeSlice() const;
+  void addOwnLayouts(QMenu& layouts);
   void makeLookFromMenu(QMenu& menu);
   void makeCameraEntries(QMenu& menu);
   QAction* makeFreezeEntry();
   QMenu* makeAtRestMenu();
   void makeOverlayEntries(QMenu& menu);
   void makeWindowLevelMenu();
+  /// Windows of a modality, in sight where the study is of it.
+  void addWindowPresets(QMenu& menu);
+  void addOwnWindows(QMenu& menu);
   void makeMeasureMenu();
   void makeFocusMenu();
   void addRegionEntries(QMenu& menu);
   void makeHelpMenu();
   void fillRecentMenu();
   /// Does the first of these that applies: cancels reading, exporting, verifying, growing or placing; puts the active
-  /// tool down; ends measuring; shows all views.
+  /// tool down; ends measuring; stops playing; shows all views.
   void stop();
 
   Targets targets_;
   ViewCommands viewCommands_;
+  Cine cine_;
+  std::unique_ptr<KeyBindings> keys_;  ///< made when all menus are
   QMenu *recent_ = nullptr, *samples_ = nullptr;
   QList<QAction*> needVolume_;
   /// The toolbar's actions, by group.

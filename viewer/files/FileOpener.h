@@ -53,6 +53,8 @@ class FileOpener : public QObject {
   /// Asks how large the voxels of the open study are, which its file may not say, and opens it anew.
   void chooseVoxelSize();
   void chooseSeries();
+  /// Opens the next series of the folder by its number, or with -1 the one before; from the last on to the first.
+  void openNeighbour(int step);
 
  private:
   void openSeries(const std::string& series);

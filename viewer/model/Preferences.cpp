@@ -17,6 +17,10 @@ const QString stateKey = QStringLiteral("layout/docks");
 const QString qualityKey = QStringLiteral("picture/quality");
 const QString maxErrorKey = QStringLiteral("picture/maxError");
 const QString viewsKey = QStringLiteral("layout/views");
+const QString foldedKey = QStringLiteral("layout/folded");
+const QString ownLayoutsKey = QStringLiteral("layout/own");
+const QString ownWindowsKey = QStringLiteral("window/own");
+const QString keysKey = QStringLiteral("keys/changed");
 const QString placementKey = QStringLiteral("placement/%1");
 
 struct NamedPickWeight {
@@ -77,7 +81,12 @@ constexpr std::array table{
                     QT_TRANSLATE_NOOP("Settings", "List the folders and files opened last in the File menu"), 1},
     PreferenceEntry{Preference::KeepsCopies, Kind::Switch, "session/copies",
                     QT_TRANSLATE_NOOP("Settings", "Keep a copy of unsaved work"),
-                    QT_TRANSLATE_NOOP("Settings", "Every minute, to be offered after a crash"), 1}};
+                    QT_TRANSLATE_NOOP("Settings", "Every minute, to be offered after a crash"), 1},
+    PreferenceEntry{Preference::Neurological, Kind::Switch, "picture/neurological",
+                    QT_TRANSLATE_NOOP("Settings", "Neurological convention"),
+                    QT_TRANSLATE_NOOP("Settings",
+                                      "Axial and coronal slices show the patient's left on the left; "
+                                      "otherwise it is on the right, as radiologists have it")}};
 
 }  // namespace
 
@@ -192,12 +201,37 @@ void Preferences::setAtRest(const Effort& effort) {
 
 QByteArray Preferences::windowGeometry() const { return value(geometryKey).toByteArray(); }
 QByteArray Preferences::windowState() const { return value(stateKey).toByteArray(); }
+QStringList Preferences::foldedPanels() const { return value(foldedKey).toStringList(); }
+void Preferences::setFoldedPanels(const QStringList& names) { store(foldedKey, names); }
 QByteArray Preferences::viewLayout() const { return value(viewsKey).toByteArray(); }
 
 void Preferences::setLayout(const QByteArray& geometry, const QByteArray& state, const QByteArray& views) {
   store(geometryKey, geometry);
   store(stateKey, state);
   store(viewsKey, views);
+}
+
+QVariantMap Preferences::ownLayouts() const { return value(ownLayoutsKey).toMap(); }
+
+void Preferences::setOwnLayouts(const QVariantMap& layouts) {
+  store(ownLayoutsKey, layouts);
+  Q_EMIT ownChanged();
+}
+
+QVariantMap Preferences::ownWindows() const { return value(ownWindowsKey).toMap(); }
+
+void Preferences::setOwnWindows(const QVariantMap& windows) {
+  store(ownWindowsKey, windows);
+  Q_EMIT ownChanged();
+}
+
+QByteArray Preferences::keys() const { return value(keysKey).toByteArray(); }
+
+void Preferences::setKeys(const QByteArray& keys) {
+  if (keys.isEmpty())
+    remove(keysKey);
+  else
+    store(keysKey, keys);
 }
 
 PlacementSettings Preferences::placement() const {

@@ -17,6 +17,7 @@ constexpr std::array settings{
     OwnedSetting{"Window and level, inverted greys", Data},
     OwnedSetting{"Crosshair", Data},
     OwnedSetting{"Cameras and frozen openings", Data},
+    OwnedSetting{"Flips and turns of slices", Data},
     OwnedSetting{"Undo", Data},
     OwnedSetting{"Notices", Data},
     OwnedSetting{"Transfer function and shift", Look},
@@ -36,6 +37,7 @@ constexpr std::array settings{
     OwnedSetting{"Click chooses the focus", Habit},
     OwnedSetting{"Size and softness of brushes", Habit},
     OwnedSetting{"Hide the patient", Habit},
+    OwnedSetting{"Neurological convention", Habit},
     OwnedSetting{"Layout of the window", Habit},
 };
 

@@ -17,6 +17,9 @@ class ViewOptions : public QObject {
   bool grows() const { return grows_; }                ///< a click chooses the label there, or grows a region
   bool hidesPatient() const { return hidesPatient_; }  ///< no patient or study anywhere in the window
   bool clipHandles() const { return clipHandles_; }    ///< the crop box and clip planes have handles to drag
+  bool isNeurological() const {
+    return neurological_;
+  }  ///< axial and coronal slices have the patient's left on the left
   void setCrosshair(bool on) { set(crosshair_, on); }
   void setText(bool on) { set(text_, on); }
   void setLabels(bool on) { set(labels_, on); }
@@ -24,6 +27,7 @@ class ViewOptions : public QObject {
   void setGrows(bool on) { set(grows_, on); }
   void setHidesPatient(bool on) { set(hidesPatient_, on); }
   void setClipHandles(bool on) { set(clipHandles_, on); }
+  void setNeurological(bool on) { set(neurological_, on); }
 
  Q_SIGNALS:
   void changed();
@@ -36,7 +40,7 @@ class ViewOptions : public QObject {
   }
 
   bool crosshair_ = true, text_ = true, labels_ = true, measures_ = true, grows_ = true, hidesPatient_ = false,
-       clipHandles_ = false;
+       clipHandles_ = false, neurological_ = false;
 };
 
 }  // namespace fenestra::viewer

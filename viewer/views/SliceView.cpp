@@ -103,17 +103,18 @@ void SliceView::showVolume() {
   windowAtPress_ = document_.window();
   pressed_ = last_;
   dragging_ = true;  // so that a release that follows is no click
+  turn_ = {};
   readGeometry();
 }
 
 void SliceView::readGeometry() {
-  if (!document_.hasVolume()) return;
+  forgetSlice();
+  if (!document_.hasVolume()) return update();
   geometry_ = fenestra::sliceGeometry(document_.scene().volume->grid, geometry_.plane);
   zoom_ = 1.0;
   centre_ = {0.5 * geometry_.width * glm::length(geometry_.right),
              0.5 * geometry_.height * glm::length(geometry_.down)};
   slice_ = cursor_.slice(geometry_);
-  forgetSlice();
   invalidate();
 }
 
@@ -123,8 +124,8 @@ void SliceView::forgetSlice() {
   values_.clear();
   grey_.clear();
   labels_.clear();
-  steps_.all.clear();
-  awaited_.all.clear();
+  steps_ = {};
+  awaited_ = {};
   image_ = {};
 }
 
@@ -143,6 +144,7 @@ void SliceView::invalidate() {
 }
 
 void SliceView::resetView() {
+  turn_ = {};
   readGeometry();
   document_.resetWindow();
 }
@@ -241,14 +243,6 @@ void SliceView::collectOutlines(const std::vector<char>& focused) {
   awaitedOutline_ = polygonsOf(smoothOutlines(awaited, geometry_.width, geometry_.height));
 }
 
-QTransform SliceView::widgetFromPixels() const {
-  const double scale = pixelsPerMm();
-  const QPointF topLeft = QPointF(0.5 * width(), 0.5 * height()) - centre_ * scale;
-  QTransform transform = QTransform::fromTranslate(topLeft.x(), topLeft.y());
-  transform.scale(scale * glm::length(geometry_.right), scale * glm::length(geometry_.down));
-  return transform;
-}
-
 QPainterPath SliceView::openingEdge() const {
   if (!opening_.starts() || !document_.hasVolume()) return {};
   if (!openingOutline_)
@@ -278,24 +272,6 @@ const QList<QPolygonF>& SliceView::removedOutline() const {
     }
   *removedOutline_ = polygonsOf(smoothOutlines(gone, geometry_.width, geometry_.height));
   return *removedOutline_;
-}
-
-double SliceView::pixelsPerMm() const {
-  const double fit = std::min(width() / (geometry_.width * glm::length(geometry_.right)),
-                              height() / (geometry_.height * glm::length(geometry_.down)));
-  return fit * zoom_;
-}
-
-QPointF SliceView::widgetFromWorld(glm::dvec3 world) const {
-  const glm::dvec3 pixel = geometry_.pixelFromWorld(world);
-  const QPointF mm((pixel.x + 0.5) * glm::length(geometry_.right), (pixel.y + 0.5) * glm::length(geometry_.down));
-  return QPointF(0.5 * width(), 0.5 * height()) + (mm - centre_) * pixelsPerMm();
-}
-
-glm::dvec3 SliceView::worldFromWidget(QPointF position) const {
-  const QPointF mm = centre_ + (position - QPointF(0.5 * width(), 0.5 * height())) / pixelsPerMm();
-  return geometry_.worldFromPixel(mm.x() / glm::length(geometry_.right) - 0.5,
-                                  mm.y() / glm::length(geometry_.down) - 0.5, slice_);
 }
 
 bool SliceView::inPicture(glm::dvec3 world) const {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <QHelpEvent>
 #include <QPainter>
@@ -36,15 +37,19 @@ void SliceView::draw(QPainter& painter, bool marks) {
   if (!document_.hasVolume()) return;
   if (image_.isNull()) makeImage();
 
-  const double scale = pixelsPerMm();
-  const QPointF topLeft = QPointF(0.5 * width(), 0.5 * height()) - centre_ * scale;
-  const QRectF target(topLeft, QSizeF(geometry_.width * glm::length(geometry_.right) * scale,
-                                      geometry_.height * glm::length(geometry_.down) * scale));
   painter.setRenderHint(QPainter::SmoothPixmapTransform);
-  painter.drawImage(target, image_);
+  const QRectF whole(0.0, 0.0, geometry_.width, geometry_.height);
+  if (turn() == Turn{}) {
+    painter.drawImage(widgetFromPixels().mapRect(whole), image_);
+  } else {
+    painter.save();
+    painter.setTransform(widgetFromPixels(), true);
+    painter.drawImage(whole, image_);
+    painter.restore();
+  }
 
   drawOutlines(painter);
-  const bool interpolated = drawInterpolated(painter, target);
+  const bool interpolated = drawInterpolated(painter);
   if (marks) drawMarks(painter, interpolated);
 }
 
@@ -80,22 +85,37 @@ void SliceView::drawMarks(QPainter& painter, bool interpolated) const {
     drawWaiting(painter, view, region.isEmpty() ? tr("Not yet as asked for") : region);
   }
   tools_.draw(painter, view);
-  drawEdgeLetters(painter, view, geometry_.right, geometry_.down);
+  drawEdgeLetters(painter, view, screenRight(), screenDown());
   drawScaleBar(painter, view, 1.0 / pixelsPerMm());
   QStringList title{name()};
   if (interpolated) title << tr("Interpolated, not scanned");
   if (options_.text()) {
     title << tr("%1 / %2").arg(slice_ + 1).arg(geometry_.count).replace(QLatin1Char(' '), QChar(QChar::Nbsp));
     drawCorner(painter, view, Qt::AlignBottom | Qt::AlignLeft, windowText(painter.fontMetrics()), overlayGrey);
-    if (geometry_.plane != SlicePlane::Sagittal) {  // where left and right could be mistaken
-      const QString convention = tr("Radiological");
-      if (fitsBesideLetter(painter, view, convention))
-        drawCorner(painter, view, Qt::AlignTop | Qt::AlignRight, {convention}, overlayGrey);
-      else
-        title << convention;
-    }
+    const QStringList convention = conventionText();
+    const bool fits = std::all_of(convention.begin(), convention.end(),
+                                  [&](const QString& line) { return fitsBesideLetter(painter, view, line); });
+    if (fits && !convention.isEmpty())
+      drawCorner(painter, view, Qt::AlignTop | Qt::AlignRight, convention, overlayGrey);
+    else
+      title << convention;
   }
   drawCorner(painter, besideChip(view), Qt::AlignTop | Qt::AlignLeft, title, planeColour(geometry_.plane));
+}
+
+QStringList SliceView::conventionText() const {
+  QStringList text;
+  // Where left and right could be mistaken. In world coordinates the first axis points to the patient's left.
+  if (geometry_.plane != SlicePlane::Sagittal) {
+    const glm::dvec3 right = glm::normalize(screenRight());
+    constexpr double mostly = 0.7;  // about the cosine of 45 degrees: farther off, left is above or below
+    if (right.x > mostly) text << tr("Radiological");
+    if (right.x < -mostly) text << tr("Neurological");
+  }
+  if (turn_.mirrored) text << tr("flipped");
+  if (turn_.quarters) text << tr("turned by %1°").arg(90 * turn_.quarters);
+  if (isTrueSize()) text << tr("true size");
+  return text;
 }
 
 void SliceView::drawOutlines(QPainter& painter) const {
@@ -145,22 +165,21 @@ QStringList SliceView::windowText(const QFontMetrics& metrics) const {
   return metrics.horizontalAdvance(line) + letter < width() / 2 ? QStringList{line} : parts;
 }
 
-bool SliceView::drawInterpolated(QPainter& painter, const QRectF& picture) const {
+bool SliceView::drawInterpolated(QPainter& painter) const {
   const std::optional<io::GeometryReport>& report = document_.study().geometry;
   if (!report || report->interpolatedPlanes.empty()) return false;
   const Grid& grid = document_.scene().volume->grid;
-  QTransform widgetFromPixel = QTransform::fromTranslate(picture.left(), picture.top());
-  widgetFromPixel.scale(picture.width() / geometry_.width, picture.height() / geometry_.height);
   drawInterpolatedBands(painter, interpolatedBands(report->interpolatedPlanes, grid, geometry_, slice_),
-                        widgetFromPixel);
+                        widgetFromPixels());
   return showsInterpolated();
 }
 
 void SliceView::drawCrosshair(QPainter& painter) const {
   const QPointF at = widgetFromWorld(cursor_.position());
   // Each line is where another plane cuts this one, in that plane's colour.
-  const SlicePlane vertical = geometry_.plane == SlicePlane::Sagittal ? SlicePlane::Coronal : SlicePlane::Sagittal;
-  const SlicePlane horizontal = geometry_.plane == SlicePlane::Axial ? SlicePlane::Coronal : SlicePlane::Axial;
+  SlicePlane vertical = geometry_.plane == SlicePlane::Sagittal ? SlicePlane::Coronal : SlicePlane::Sagittal;
+  SlicePlane horizontal = geometry_.plane == SlicePlane::Axial ? SlicePlane::Coronal : SlicePlane::Axial;
+  if (turn_.quarters % 2 != 0) std::swap(vertical, horizontal);
   constexpr double gap = 10.0;  // around the crossing, so that the lines do not cover the voxel
   painter.save();
   painter.setRenderHint(QPainter::Antialiasing, false);
