@@ -45,6 +45,7 @@ std::vector<int> DockHeights::wanted(const std::vector<QDockWidget*>& docks) con
   for (std::size_t i = docks.size(); i-- > 1;) {
     const int even = room / static_cast<int>(i + 1);
     heights[i] = std::max(docks[i]->minimumSizeHint().height(), std::min(even, docks[i]->sizeHint().height()));
+    heights[i] = std::min(heights[i], docks[i]->maximumHeight());  // of one that is folded
     room -= heights[i];
   }
   heights[0] = room;
@@ -54,6 +55,11 @@ std::vector<int> DockHeights::wanted(const std::vector<QDockWidget*>& docks) con
 void DockHeights::reset() {
   isUsers_ = checks_ = false;
   share();
+}
+
+void DockHeights::adapt() {
+  if (!isUsers_ && !std::exchange(isDue_, true))
+    QMetaObject::invokeMethod(this, &DockHeights::share, Qt::QueuedConnection);
 }
 
 void DockHeights::share() {

@@ -16,6 +16,7 @@
 #include "rendering/gpu/FocusIndexing.h"
 #include "rendering/scene/VisibleFraming.h"
 #include "rendering/segmentation/Couch.h"
+#include "viewer/DockFolding.h"
 #include "viewer/DockHeights.h"
 #include "viewer/StudyNotices.h"
 #include "viewer/UndoKeys.h"
@@ -91,10 +92,10 @@ MainWindow::MainWindow(const Setup& setup, QWidget* parent)
   archive_ = new ArchiveDock(*this, workspace_, [this](const auto& folder) { files_->open({folder}); });
   guide_ = new Guide(*this);
   connect(welcome_, &WelcomePage::guideRequested, guide_, [this] { guide_->open(); });
-  actions_ =
-      new Actions({*this, workspace_, loader_, grower_, *files_, *exports_, *pictures_, *verification_, *sessions_,
-                   *views_, gl_, [this] { resetLayout(); }, *panels_.cutaway, *archive_, *guide_, *tour_});
-  setStatusBar(new StatusBar(workspace_.document, *views_, gl_));
+  actions_ = new Actions({*this, workspace_, loader_, grower_, *files_, *exports_, *pictures_, *verification_,
+                          *sessions_, *views_, gl_, [this] { closeStudy(); }, [this] { resetLayout(); },
+                          *panels_.cutaway, *archive_, *guide_, *tour_});
+  setStatusBar(new StatusBar(workspace_.document, workspace_.options, *views_, gl_));
   // Below the pictures: a bar above them would resize them, and each click would draw them again.
   // What comes and goes in the status bar must not make the window wider.
   statusBar()->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
@@ -140,11 +141,14 @@ QWidget* MainWindow::makeCentre() {
 void MainWindow::restoreLayout() {
   Preferences& preferences = workspace_.preferences;
   restoreGeometry(preferences.windowGeometry());
+  panels_.folding->restore(preferences.foldedPanels());
+  connect(panels_.folding, &DockFolding::changed, this,
+          [this, &preferences] { preferences.setFoldedPanels(panels_.folding->folded()); });
   if (restoreState(preferences.windowState(), layoutVersion)) panels_.heights->keepWhatTheUserChose();
   views_->restoreLayout(preferences.viewLayout());
   workspace_.placement.setSettings(preferences.placement());
-  for (const Preference which :
-       {Preference::AnimatedCameras, Preference::PicturesPerSecond, Preference::HidesPatient, Preference::KeepsCopies})
+  for (const Preference which : {Preference::AnimatedCameras, Preference::PicturesPerSecond, Preference::HidesPatient,
+                                 Preference::KeepsCopies, Preference::Neurological})
     applyPreference(which);
   connect(&preferences, &Preferences::changed, this, &MainWindow::applyPreference);
   // Only what the user changes in the panel is remembered: a session's settings are that session's.
@@ -169,6 +173,8 @@ void MainWindow::applyPreference(Preference which) {
       return workspace_.options.setHidesPatient(value != 0);
     case Preference::KeepsCopies:
       return sessions_->setKeepsCopies(value != 0);
+    case Preference::Neurological:
+      return workspace_.options.setNeurological(value != 0);
     case Preference::Background:
     case Preference::WidthUnit:
     case Preference::KeepsRecent:
@@ -180,6 +186,7 @@ void MainWindow::applyPreference(Preference which) {
 }
 
 void MainWindow::resetLayout() {
+  panels_.folding->restore({});
   restoreState(firstState_, layoutVersion);
   panels_.heights->reset();
   views_->showAll();
@@ -187,6 +194,7 @@ void MainWindow::resetLayout() {
 }
 
 void MainWindow::followVolume() {
+  if (!workspace_.document.hasVolume()) return focusSearch_.cancel();
   const io::Study& study = workspace_.document.study();
   const Grid& grid = study.scene.volume->grid;
   ViewLink& cameras = workspace_.cameras;
@@ -227,6 +235,23 @@ void MainWindow::studyOpened() {
   studyNotices_->show();
   if (study.placed) workspace_.placement.placeAutomatically();
   Q_EMIT opened();
+}
+
+void MainWindow::closeStudy() {
+  if (!workspace_.document.hasVolume() || !sessions_->mayGo()) return;
+  loader_.job().cancel();
+  grower_.cancel();
+  labelEditor_.job().cancel();
+  workspace_.placement.cancel();
+  workspace_.tool.putDown();
+  workspace_.measuring.stop();
+  pages_->setCurrentWidget(welcome_);
+  workspace_.document.close();
+  views_->letGo();
+  notices_->forgetStudy();
+  closeStudyDialogs(*this);
+  statusBar()->clearMessage();
+  sessions_->studyShown();
 }
 
 void MainWindow::goToFocus() {

@@ -110,6 +110,8 @@ class MainWindow : public QMainWindow {
   /// Moves crosshair and cameras to a new volume, before any view draws it.
   void followVolume();
   void studyOpened();
+  /// Back to the welcome page with nothing open, after unsaved work was asked for; its memory is let go.
+  void closeStudy();
   /// Moves the crosshair to the centre of the focus once another thread has found it.
   void goToFocus();
   /// Nothing is being read, measured or drawn.

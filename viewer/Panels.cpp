@@ -4,6 +4,7 @@
 #include <QDockWidget>
 #include <QMainWindow>
 
+#include "viewer/DockFolding.h"
 #include "viewer/DockHeights.h"
 #include "viewer/model/Workspace.h"
 #include "viewer/panels/AppearancePanel.h"
@@ -36,7 +37,8 @@ Panels makePanels(QMainWindow& window, Workspace& workspace) {
                 .clipping = new ClippingPanel(document, workspace.cursor, workspace.planes, workspace.cameras),
                 .series = new SeriesPanel(document, workspace.options),
                 .heights = nullptr,
-                .seriesDock = nullptr};
+                .seriesDock = nullptr,
+                .folding = nullptr};
   const auto add = [&window](const QString& title, const char* name, QWidget* panel,
                              Qt::DockWidgetArea area = Qt::RightDockWidgetArea) {
     auto* dock = new QDockWidget(title);
@@ -72,6 +74,12 @@ Panels makePanels(QMainWindow& window, Workspace& workspace) {
   panels.seriesDock->hide();
   // The list of structures takes the remaining height.
   panels.heights = new DockHeights(window, {focus, context, cutaway});
+  const QList<QDockWidget*> docks = window.findChildren<QDockWidget*>();
+  panels.folding = new DockFolding(window, {docks.begin(), docks.end()});
+  QObject::connect(panels.folding, &DockFolding::changed, panels.heights, &DockHeights::adapt);
+  QObject::connect(&workspace.brush, &Brush::activeChanged, brush, [brush, folding = panels.folding](bool active) {
+    if (active) folding->setFolded(*brush, false);
+  });
   return panels;
 }
 

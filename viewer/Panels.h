@@ -12,6 +12,7 @@ class CamerasPanel;
 class ClippingPanel;
 class ContextLayerPanel;
 class CutawayPanel;
+class DockFolding;
 class DockHeights;
 class FocusPanel;
 class SeriesPanel;
@@ -29,6 +30,7 @@ struct Panels {
   SeriesPanel* series;
   DockHeights* heights;
   QDockWidget* seriesDock;
+  DockFolding* folding;
 };
 
 /// Makes the panels and docks them in the window: the list of series on the left, where it is hidden until it is asked

@@ -81,6 +81,7 @@ class Conventions : public Window {
   Cases menuCases();
   void addFileAndEditCases(Cases& cases);
   void addViewCases(Cases& cases);
+  void addLayoutCases(Cases& cases);
   Cases sliceGestures();
   void addVolumeGestures(Cases& cases);
   void addEditorGestures(Cases& cases);

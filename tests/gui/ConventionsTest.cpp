@@ -32,6 +32,15 @@ Conventions::Cases Conventions::sliceGestures() {
     QTest::mouseDClick(axial(), Qt::LeftButton, Qt::ControlModifier, {100, 100});
     EXPECT_EQ(document().window(), document().scene().volume->defaultWindow());
   };
+  cases["Slices: Home, End"] = [this] {
+    for (SliceView* view : views().sliceViews()) {
+      QTest::keyClick(view, Qt::Key_Home);
+      EXPECT_EQ(view->slice(), 0);
+      QTest::keyClick(view, Qt::Key_End);
+      EXPECT_EQ(view->slice(), view->sliceGeometry().count - 1);
+    }
+    cursor().moveTo({0, 0, 0});
+  };
   cases["Slices: Wheel, arrows"] = cases["Slices: Page up, Page down"] = [this] {
     for (SliceView* view : views().sliceViews()) {
       cursor().moveTo({0, 0, 0});
@@ -142,6 +151,20 @@ void Conventions::addVolumeGestures(Cases& cases) {
       QTest::keyClick(volume(0), key);
       EXPECT_NE(cameras().camera(0), last) << key;
     }
+    press("Ctrl+R");
+    waitUntilDrawn();
+  };
+  cases["3-D views: Shift+drag"] = [this] {
+    options().setGrows(false);  // or a ball is drawn on the body
+    const Camera before = cameras().camera(0);
+    drag(volume(0), {200, 150}, {240, 150}, Qt::LeftButton, Qt::ShiftModifier);
+    EXPECT_NE(cameras().camera(0).target, before.target);
+    EXPECT_EQ(cameras().camera(0).axes().forward, before.axes().forward);
+    options().setGrows(true);
+    const Camera moved = cameras().camera(0);
+    drag(volume(0), {4, 4}, {44, 4}, Qt::LeftButton, Qt::ShiftModifier);
+    EXPECT_NE(cameras().camera(0).target, moved.target) << "beside the body";
+    EXPECT_EQ(cameras().camera(0).axes().forward, moved.axes().forward);
     press("Ctrl+R");
     waitUntilDrawn();
   };

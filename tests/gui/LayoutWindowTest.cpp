@@ -6,6 +6,7 @@
 #include <QScreen>
 #include <QSignalSpy>
 #include <QTest>
+#include <QToolButton>
 
 #include "tests/gui/WindowFixture.h"
 #include "viewer/panels/AppearancePanel.h"
@@ -92,6 +93,40 @@ TEST_F(Window, EachPanelOfTheColumnHasAUsefulHeight) {
     if (size.height() < 1200) continue;
     EXPECT_TRUE(isInSight(*appearance.findChild<QWidget*>(QStringLiteral("background")))) << "its last row";
   }
+}
+
+TEST_F(Window, AFoldedPanelGivesItsRoomToTheStructures) {
+  useScratchSettings();
+  const MainWindow::Setup setup{.gl = {.problem = QStringLiteral("slices are enough here")}};
+  {
+    MainWindow window(setup);
+    QSignalSpy opened(&window, &MainWindow::opened);
+    window.open([](const io::Progress&) { return markedBall(); });
+    window.resize(1366, 720);  // a small laptop's screen, without the desktop's bar
+    window.show();
+    ASSERT_TRUE(opened.wait(patience));
+    auto* context = window.findChild<QDockWidget*>(QStringLiteral("contextDock"));
+    const auto& structures = *window.findChild<FocusPanel*>()->list();
+    const int row = structures.visualRect(structures.model()->index(0, 0)).height(), before = structures.height();
+    auto* fold = context->findChild<QToolButton*>(QStringLiteral("fold"));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return isInSight(*fold); }, patience));
+    QTest::mouseClick(fold, Qt::LeftButton);
+    EXPECT_TRUE(QTest::qWaitFor(
+        [&] { return structures.viewport()->visibleRegion().boundingRect().height() >= 8 * row; }, 20000))
+        << structures.viewport()->visibleRegion().boundingRect().height() / row << " rows";
+    EXPECT_GT(structures.height(), before + 100);
+    EXPECT_LT(context->height(), 40);
+    EXPECT_TRUE(isInSight(*window.findChild<SliderSpin*>(QStringLiteral("open_width")))) << "others stay";
+    window.close();
+  }
+  MainWindow again(setup);
+  again.show();
+  ASSERT_TRUE(QTest::qWaitForWindowExposed(&again));
+  auto* context = again.findChild<QDockWidget*>(QStringLiteral("contextDock"));
+  EXPECT_TRUE(context->widget()->isHidden()) << "the next start has it folded";
+  context->findChild<QToolButton*>(QStringLiteral("fold"))->click();
+  EXPECT_FALSE(context->widget()->isHidden());
+  EXPECT_TRUE(QTest::qWaitFor([&] { return context->height() > 150; }, 20000));
 }
 
 TEST_F(Window, HeightsOfPanelsAreTheUsersOnceABorderWasDragged) {

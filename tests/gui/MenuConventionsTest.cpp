@@ -8,12 +8,14 @@
 #include <QMenuBar>
 
 #include "tests/gui/Conventions.h"
+#include "tests/io/DicomWriter.h"
 #include "tests/support/TestData.h"
 #include "viewer/dialogs/Dialogs.h"
 #include "viewer/dialogs/WindowLevelDialog.h"
 #include "viewer/files/Sessions.h"
 #include "viewer/guide/Guide.h"
 #include "viewer/guide/GuideWindow.h"
+#include "viewer/guide/WelcomePage.h"
 
 namespace fenestra::viewer {
 
@@ -37,6 +39,37 @@ void Conventions::addFileAndEditCases(Cases& cases) {
     window_->guide().window()->close();
     QApplication::setActiveWindow(window_.get());
   };
+  cases["Ctrl+PgDown"] = cases["Ctrl+PgUp"] = [this] {
+    const std::filesystem::path folder = tests::scratchFolder() / "two series";
+    std::filesystem::create_directories(folder);
+    for (int image = 0; image < 6; ++image) {
+      tests::DicomSpec spec;
+      spec.series = image < 3 ? "1.2.1" : "1.2.2";
+      spec.seriesNumber = image < 3 ? "2" : "1";
+      spec.instance = "1.2.9." + std::to_string(image);
+      spec.columns = spec.rows = 16;
+      spec.position = glm::dvec3(0, 0, image % 3);
+      spec.words.assign(256, 100);
+      tests::writeDicom(folder / std::to_string(image), spec);
+    }
+    window_->sessions().questions().saveChanges = [](const QStringList&) { return SessionQuestions::Answer::Discard; };
+    drop({folder});
+    const std::string first = document().study().series.id, other = first == "1.2.1" ? "1.2.2" : "1.2.1";
+    for (const char* keys : {"Ctrl+PgDown", "Ctrl+PgUp"}) {
+      const std::string wanted = document().study().series.id == first ? other : first;
+      press(keys);
+      EXPECT_TRUE(QTest::qWaitFor([&] { return document().study().series.id == wanted; }, patience)) << keys;
+      waitUntilDrawn();
+    }
+    open(markedBall());
+  };
+  cases["Ctrl+W"] = [this] {
+    window_->sessions().questions().saveChanges = [](const QStringList&) { return SessionQuestions::Answer::Discard; };
+    press("Ctrl+W");
+    EXPECT_FALSE(document().hasVolume());
+    EXPECT_TRUE(window_->findChild<WelcomePage*>()->isVisible());
+    open(markedBall());
+  };
   cases["Ctrl+C"] = [this] {
     QGuiApplication::clipboard()->clear();
     press("Ctrl+C");
@@ -57,8 +90,11 @@ void Conventions::addFileAndEditCases(Cases& cases) {
     EXPECT_TRUE(document().isFocused(marker));
     press("Ctrl+Shift+Z");
     EXPECT_TRUE(document().isFocused(body));
+    press("Ctrl+Z");
+    press("Ctrl+Y");
+    EXPECT_TRUE(document().isFocused(body));
   };
-  cases["Ctrl+Z"] = cases["Ctrl+Shift+Z"] = undoAndRedo;
+  cases["Ctrl+Z"] = cases["Ctrl+Shift+Z"] = cases["Ctrl+Y"] = undoAndRedo;
   cases["P"] = [this] { expectToggle("P", [this] { return brush().isActive(); }); };
   cases["E"] = [this] {
     press("P");
@@ -77,6 +113,65 @@ void Conventions::addFileAndEditCases(Cases& cases) {
     };
 }
 
+void Conventions::addLayoutCases(Cases& cases) {
+  const std::pair<const char*, const char*> layouts[] = {
+      {"Ctrl+1", "five"},  {"Ctrl+3", "pair"}, {"Ctrl+4", "large3d"}, {"Ctrl+5", "slices"},
+      {"Ctrl+6", "axial"}, {"Ctrl+7", "four"}, {"Ctrl+8", "beside"}};
+  for (const auto& layout : layouts)
+    cases[layout.first] = [this, layout] {
+      press(layout.first);
+      EXPECT_EQ(views().arrangement().id, std::string(layout.second));
+      press("Ctrl+1");
+      waitUntilDrawn();
+    };
+  cases["Ctrl+2"] = [this] {
+    axial()->setFocus();
+    press("Ctrl+2");
+    EXPECT_TRUE(views().isMaximised());
+    EXPECT_TRUE(axial()->isVisible());
+    EXPECT_FALSE(volume(0)->isVisible());
+    views().showAll();
+    waitUntilDrawn();
+  };
+  cases["X"] = cases["Y"] = cases["Z"] = [this] {
+    axial()->setFocus();
+    press("X");
+    EXPECT_EQ(axial()->turn(), (SliceView::Turn{true, 0}));
+    press("Y");
+    EXPECT_EQ(axial()->turn(), (SliceView::Turn{false, 2}));
+    press("Z");
+    EXPECT_EQ(axial()->turn(), (SliceView::Turn{false, 3}));
+    EXPECT_EQ(slice(SlicePlane::Coronal)->turn(), SliceView::Turn{});
+    press("Z");
+  };
+  cases["J"] = [this] {
+    axial()->setFocus();
+    press("J");
+    EXPECT_TRUE(axial()->isTrueSize());
+    axial()->resetView();
+  };
+  cases["U"] = [this] { expectToggle("U", [this] { return options().isNeurological(); }); };
+  cases["K"] = cases["Shift+K"] = cases["Ctrl+K"] = [this] {
+    axial()->setFocus();
+    const int first = axial()->slice();
+    press("Shift+K");
+    press("K");
+    EXPECT_TRUE(QTest::qWaitFor([&] { return axial()->slice() != first; }, patience));
+    press("Ctrl+K");
+    press("K");
+    const int stopped = axial()->slice();
+    QTest::qWait(300);  // three slices' time
+    EXPECT_EQ(axial()->slice(), stopped);
+  };
+  cases["N"] = cases["Shift+N"] = [this] {
+    axial()->setFocus();
+    press("N");
+    EXPECT_EQ(views().activeView(), slice(SlicePlane::Sagittal));
+    press("Shift+N");
+    EXPECT_EQ(views().activeView(), axial());
+  };
+}
+
 void Conventions::addViewCases(Cases& cases) {
   cases["Shift+A"] = [this] { expectLook("Shift+A", {0, 1, 0}); };
   cases["Shift+P"] = [this] { expectLook("Shift+P", {0, -1, 0}); };
@@ -84,6 +179,13 @@ void Conventions::addViewCases(Cases& cases) {
   cases["Shift+R"] = [this] { expectLook("Shift+R", {1, 0, 0}); };
   cases["Shift+S"] = [this] { expectLook("Shift+S", {0, 0, -1}); };
   cases["Shift+I"] = [this] { expectLook("Shift+I", {0, 0, 1}); };
+  cases["Num+1"] = [this] { expectLook("Num+1", {0, 1, 0}); };
+  cases["Ctrl+Num+1"] = [this] { expectLook("Ctrl+Num+1", {0, -1, 0}); };
+  cases["Num+3"] = [this] { expectLook("Num+3", {-1, 0, 0}); };
+  cases["Ctrl+Num+3"] = [this] { expectLook("Ctrl+Num+3", {1, 0, 0}); };
+  cases["Num+7"] = [this] { expectLook("Num+7", {0, 0, -1}); };
+  cases["Ctrl+Num+7"] = [this] { expectLook("Ctrl+Num+7", {0, 0, 1}); };
+  addLayoutCases(cases);
   cases["F5"] = [this] {
     document().focusOn(marker);
     const ViewLink::Pose before = cameras().pose();
@@ -141,6 +243,9 @@ Conventions::Cases Conventions::menuCases() {
   cases["5"] = [this] { expectWindow("5", {400.0, 80.0}); };
   cases["6"] = [this] { expectWindow("6", {2000.0, 350.0}); };
   cases["7"] = [this] { expectWindow("7", {1500.0, -500.0}); };
+  cases["8"] = [this] { expectWindow("8", {40.0, 40.0}); };
+  cases["9"] = [this] { expectWindow("9", {215.0, 75.0}); };
+  cases["0"] = [this] { expectWindow("0", {150.0, 30.0}); };
   cases["I"] = [this] { expectToggle("I", [this] { return document().isInverted(); }); };
   cases["W"] = [this] {
     press("W");

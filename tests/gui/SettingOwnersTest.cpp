@@ -135,6 +135,9 @@ std::map<std::string, SettingOwnersWindow::Probe> SettingOwnersWindow::probes() 
           cameras().setFrozen({OpeningView{cameras().camera(0), {10, 10}, 1.0}, std::nullopt});
         },
         [this, poseBefore] { return cameras().pose() != poseBefore || cameras().frozen()[0].has_value(); }}},
+      {"Flips and turns of slices",
+       {[this] { slice(SlicePlane::Axial)->turnClockwise(); },
+        [this] { return slice(SlicePlane::Axial)->turn() != SliceView::Turn{}; }}},
       {"Undo",
        {[this] { edit([](Look& l) { l.shading.ambient = 0.4; }); },
         [this] { return document().undoStack().canUndo(); }}},
@@ -188,6 +191,8 @@ std::map<std::string, SettingOwnersWindow::Probe> SettingOwnersWindow::probes() 
       {"Size and softness of brushes",
        {[this, brushed] { brush().setSettings(brushed); }, [this, brushed] { return brush().settings() == brushed; }}},
       {"Hide the patient", {[this] { options().setHidesPatient(true); }, [this] { return options().hidesPatient(); }}},
+      {"Neurological convention",
+       {[this] { options().setNeurological(true); }, [this] { return options().isNeurological(); }}},
       {"Layout of the window",
        {[this] { views().toggleMaximised(slice(SlicePlane::Axial)); }, [this] { return views().isMaximised(); }}},
   };

@@ -18,7 +18,10 @@
 namespace fenestra::viewer {
 
 Actions::Actions(const Targets& targets)
-    : QObject(&targets.window), targets_(targets), viewCommands_(targets_.workspace, targets_.views) {
+    : QObject(&targets.window),
+      targets_(targets),
+      viewCommands_(targets_.workspace, targets_.views),
+      cine_(targets_.workspace.cursor) {
   makeFileMenu();
   makeEditMenu();
   makeViewMenu();
@@ -26,6 +29,7 @@ Actions::Actions(const Targets& targets)
   makeMeasureMenu();
   makeFocusMenu();
   makeHelpMenu();
+  keys_ = std::make_unique<KeyBindings>(*targets_.window.menuBar(), targets_.workspace.preferences);
 
   QToolBar* bar = targets_.window.addToolBar(tr("Tools"));
   bar->setObjectName(QStringLiteral("tools"));
@@ -37,7 +41,7 @@ Actions::Actions(const Targets& targets)
   }
   for (QToolButton* button : bar->findChildren<QToolButton*>()) button->setFocusPolicy(Qt::TabFocus);
   connect(&targets_.workspace.document, &Document::volumeChanged, this, [this] {
-    for (QAction* each : needVolume_) each->setEnabled(true);
+    for (QAction* each : needVolume_) each->setEnabled(targets_.workspace.document.hasVolume());
   });
 }
 
@@ -51,6 +55,8 @@ QAction* Actions::action(const QString& text, const QKeySequence& keys, std::fun
   connect(made, &QAction::triggered, this, std::move(does));
   return made;
 }
+
+void Actions::addKey(QAction& action, const QKeySequence& keys) { action.setShortcuts(action.shortcuts() << keys); }
 
 QAction* Actions::volumeAction(const QString& text, const QKeySequence& keys, std::function<void()> does) {
   QAction* made = action(text, keys, std::move(does));
@@ -85,6 +91,7 @@ void Actions::makeHelpMenu() {
   menu->addAction(
       action(tr("&User guide"), QKeySequence(QKeySequence::HelpContents), [this] { targets_.guide.open(); }));
   QAction* tour = action(tr("Guided &tour"), {}, [this] { targets_.tour.start(); });
+  tour->setObjectName(QStringLiteral("tour"));
   tour->setEnabled(targets_.tour.canStart());
   connect(&targets_.tour, &Tour::canStartChanged, tour, &QAction::setEnabled);
   menu->addAction(tour);
@@ -92,6 +99,7 @@ void Actions::makeHelpMenu() {
                          [this] { showKeys(*targets_.window.menuBar(), &targets_.window); }));
   menu->addAction(action(tr("&About Fenestra"), {},
                          [this] { showAbout(targets_.gl, targets_.views.schedule(), &targets_.window); }));
+  menu->actions().constLast()->setObjectName(QStringLiteral("about"));
 }
 
 void Actions::stop() {
@@ -105,7 +113,7 @@ void Actions::stop() {
     targets_.grower.cancel();
   else if (targets_.workspace.placement.isBusy())
     targets_.workspace.placement.cancel();
-  else if (!targets_.workspace.tool.putDown() && !targets_.workspace.measuring.stop())
+  else if (!targets_.workspace.tool.putDown() && !targets_.workspace.measuring.stop() && !cine_.stop())
     targets_.views.showAll();
 }
 

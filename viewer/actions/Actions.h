@@ -3,14 +3,17 @@
 // hold the menus.
 
 #include <functional>
+#include <memory>
 
 #include <QList>
 #include <QMenu>
 #include <QObject>
 
 #include "viewer/actions/ViewCommands.h"
+#include "viewer/dialogs/KeyBindings.h"
 #include "viewer/jobs/StudyLoader.h"
 #include "viewer/model/Preferences.h"
+#include "viewer/views/Cine.h"
 #include "viewer/views/GlSupport.h"
 
 class QAction;
@@ -48,6 +51,7 @@ class Actions : public QObject {
     Sessions& sessions;
     ViewArea& views;
     GlSupport gl;
+    std::function<void()> closeStudy;
     std::function<void()> resetLayout;
     CutawayPanel& cutaway;
     ArchiveDock& archive;
@@ -63,6 +67,8 @@ class Actions : public QObject {
 
  private:
   QAction* action(const QString& text, const QKeySequence& keys, std::function<void()> does);
+  /// Adds another key to an action.
+  static void addKey(QAction& action, const QKeySequence& keys);
   /// Enabled while something is open.
   QAction* volumeAction(const QString& text, const QKeySequence& keys, std::function<void()> does);
   /// Follows a preference, and changes it.
@@ -81,6 +87,11 @@ class Actions : public QObject {
   void makeEditMenu();
   void showSettings();
   void makeViewMenu();
+  void makeLayoutMenu(QMenu& menu);
+  void makeSliceMenu(QMenu& menu);
+  /// The slice that is active; while a 3-D view is, the first that shows.
+  SliceView& activeSlice() const;
+  void addOwnLayouts(QMenu& layouts);
   void makeLookFromMenu(QMenu& menu);
   void makeCameraEntries(QMenu& menu);
   QAction* makeFreezeEntry();
@@ -91,17 +102,22 @@ class Actions : public QObject {
   /// The plane of the slice that was used last; axial before one was.
   SlicePlane usedPlane() const;
   void makeWindowLevelMenu();
+  /// Windows of a modality, in sight where the study is of it.
+  void addWindowPresets(QMenu& menu);
+  void addOwnWindows(QMenu& menu);
   void makeMeasureMenu();
   void makeFocusMenu();
   void addRegionEntries(QMenu& menu);
   void makeHelpMenu();
   void fillRecentMenu();
   /// Does the first of these that applies: cancels reading, exporting, verifying, growing or placing; puts the active
-  /// tool down; ends measuring; shows all views.
+  /// tool down; ends measuring; stops playing; shows all views.
   void stop();
 
   Targets targets_;
   ViewCommands viewCommands_;
+  Cine cine_;
+  std::unique_ptr<KeyBindings> keys_;  ///< made when all menus are
   QMenu *recent_ = nullptr, *samples_ = nullptr;
   QList<QAction*> needVolume_;
   /// The toolbar's actions, by group.

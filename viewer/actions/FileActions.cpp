@@ -31,11 +31,20 @@ void Actions::makeFileMenu() {
       volumeAction(tr("Open &labels…"), QKeySequence(tr("Ctrl+L")), [this] { targets_.files.chooseLabels(); });
   labels->setIcon(icon("labels"));
   QAction* series = action(tr("Choose &series…"), {}, [this] { targets_.files.chooseSeries(); });
-  series->setEnabled(false);
-  connect(&targets_.workspace.document, &Document::volumeChanged, series,
-          [this, series] { series->setEnabled(!targets_.workspace.document.study().otherSeries.empty()); });
+  series->setObjectName(QStringLiteral("chooseSeries"));
+  QAction* next =
+      action(tr("&Next series"), QKeySequence(tr("Ctrl+PgDown")), [this] { targets_.files.openNeighbour(1); });
+  QAction* previous =
+      action(tr("Pre&vious series"), QKeySequence(tr("Ctrl+PgUp")), [this] { targets_.files.openNeighbour(-1); });
+  const auto enable = [this, series, next, previous] {
+    for (QAction* each : {series, next, previous})
+      each->setEnabled(!targets_.workspace.document.study().otherSeries.empty());
+  };
+  connect(&targets_.workspace.document, &Document::volumeChanged, series, enable);
+  enable();
 
   QAction* session = action(tr("Open s&ession…"), {}, [this] { targets_.sessions.choose(); });
+  session->setObjectName(QStringLiteral("openSession"));
   QAction* save = volumeAction(tr("&Save session"), QKeySequence::Save, [this] { targets_.sessions.save(); });
   save->setIcon(icon("save"));
   QAction* saveAs =
@@ -48,7 +57,7 @@ void Actions::makeFileMenu() {
   samples_ = menu->addMenu(tr("&Built-in phantoms"));
   samples_->menuAction()->setVisible(false);
   menu->addSeparator();
-  menu->addActions({series, labels});
+  menu->addActions({series, next, previous, labels});
   addLabelEntries(*menu);
   addModalityMenu(*menu);
   addVoxelSize(*menu);
@@ -58,13 +67,16 @@ void Actions::makeFileMenu() {
   addExports(*menu);
   addSending(*menu);
   menu->addSeparator();
+  menu->addAction(volumeAction(tr("&Close study"), QKeySequence(tr("Ctrl+W")), [this] { targets_.closeStudy(); }));
   menu->addAction(action(tr("&Quit"), QKeySequence::Quit, [this] { targets_.window.close(); }));
   tools_ << QList<QAction*>{folder, file, labels, save};
 }
 
 void Actions::addLabelEntries(QMenu& menu) {
   menu.addAction(volumeAction(tr("Open a folder of &masks…"), {}, [this] { targets_.files.chooseMaskFolder(); }));
+  menu.actions().constLast()->setObjectName(QStringLiteral("openMasks"));
   QAction* table = menu.addAction(tr("Open a &table of labels…"));
+  table->setObjectName(QStringLiteral("openLabelTable"));
   connect(table, &QAction::triggered, this, [this] { targets_.files.chooseLabelTable(); });
   const Document& document = targets_.workspace.document;
   const auto enable = [table, &document] { table->setEnabled(!document.study().session.labels.path.empty()); };
@@ -75,6 +87,7 @@ void Actions::addLabelEntries(QMenu& menu) {
 
 void Actions::addVoxelSize(QMenu& menu) {
   QAction* size = menu.addAction(tr("Si&ze of the voxels…"));
+  size->setObjectName(QStringLiteral("voxelSize"));
   connect(size, &QAction::triggered, this, [this] { targets_.files.chooseVoxelSize(); });
   const Document& document = targets_.workspace.document;
   // Other formats say it themselves.
@@ -92,8 +105,9 @@ void Actions::addModalityMenu(QMenu& menu) {
     entry->setCheckable(true);
     group->addAction(entry);
     connect(entry, &QAction::triggered, this, [this, modality] { targets_.sessions.setModality(modality); });
-    connect(&document, &Document::volumeChanged, entry,
-            [entry, modality, &document] { entry->setChecked(document.scene().volume->modality == modality); });
+    connect(&document, &Document::volumeChanged, entry, [entry, modality, &document] {
+      entry->setChecked(document.hasVolume() && document.scene().volume->modality == modality);
+    });
   };
   add(tr("&CT"), Modality::CT);
   add(tr("&MR"), Modality::MR);
@@ -131,10 +145,14 @@ void Actions::addExports(QMenu& menu) {
   group->addAction(
       volumeAction(tr("A &picture…"), QKeySequence(tr("Ctrl+E")), [&pictures] { pictures.choosePicture(); }));
   group->addAction(volumeAction(tr("A &turntable…"), {}, [&pictures] { pictures.chooseTurntable(); }));
+  group->actions().constLast()->setObjectName(QStringLiteral("exportTurntable"));
   group->addSeparator();
   QAction* all = group->addAction(tr("All &labels…"));
   QAction* focus = group->addAction(tr("The &focus as labels…"));
   QAction* surface = group->addAction(tr("The focus as a &surface…"));
+  all->setObjectName(QStringLiteral("exportLabels"));
+  focus->setObjectName(QStringLiteral("exportFocus"));
+  surface->setObjectName(QStringLiteral("exportSurface"));
   QAction* measures = group->addAction(tr("&Measures as a table…"));
   measures->setObjectName(QStringLiteral("exportMeasures"));
   connect(measures, &QAction::triggered, this, [&exports] { exports.chooseMeasureFile(); });

@@ -8,11 +8,10 @@
 #include "viewer/actions/MeasureMenu.h"
 #include "viewer/archive/ArchiveDock.h"
 #include "viewer/archive/CacheRow.h"
+#include "viewer/dialogs/KeysDialog.h"
 #include "viewer/dialogs/SettingsDialog.h"
 #include "viewer/dialogs/WindowLevelDialog.h"
 #include "viewer/exports/PictureExports.h"
-#include "viewer/model/Translation.h"
-#include "viewer/model/WindowPresets.h"
 #include "viewer/model/Workspace.h"
 #include "viewer/style/Style.h"
 
@@ -25,6 +24,7 @@ void Actions::makeEditMenu() {
   undo->setIcon(icon("undo"));
   QAction* redo = steps.createRedoAction(this, tr("&Redo"));
   redo->setShortcut(QKeySequence(tr("Ctrl+Shift+Z")));
+  addKey(*redo, QKeySequence(tr("Ctrl+Y")));
   redo->setIcon(icon("redo"));
 
   Brush& brush = targets_.workspace.brush;
@@ -46,7 +46,11 @@ void Actions::makeEditMenu() {
   menu->addSeparator();
   menu->addActions({paint, opposite, smaller, larger});
   menu->addSeparator();
+  QAction* keys = action(tr("Change &keys…"), {}, [this] { KeysDialog(*keys_, &targets_.window).exec(); });
+  keys->setObjectName(QStringLiteral("changeKeys"));
+  menu->addAction(keys);
   menu->addAction(action(tr("Se&ttings…"), {}, [this] { showSettings(); }));
+  menu->actions().constLast()->setObjectName(QStringLiteral("settings"));
   tools_ << QList<QAction*>{undo, redo, paint};
 }
 
@@ -60,10 +64,9 @@ void Actions::makeWindowLevelMenu() {
   Document& document = targets_.workspace.document;
   QMenu* menu = targets_.window.menuBar()->addMenu(tr("&Window/level"));
   menu->addAction(volumeAction(tr("Of the data"), QKeySequence(tr("1")), [&document] { document.resetWindow(); }));
-  for (const WindowPreset& preset : ctWindowPresets)
-    menu->addAction(volumeAction(
-        tr("CT %1  (%2 / %3)").arg(translated(preset.name)).arg(preset.window.width).arg(preset.window.level),
-        QKeySequence(QString::number(preset.key)), [&document, &preset] { document.setWindow(preset.window); }));
+  addWindowPresets(*menu);
+  menu->addSeparator();
+  addOwnWindows(*menu);
   menu->addSeparator();
   menu->addAction(volumeAction(tr("By &number…"), QKeySequence(tr("W")), [this, &document] {
     for (auto* open : targets_.window.findChildren<WindowLevelDialog*>())
@@ -110,6 +113,7 @@ void Actions::makeMeasureMenu() {
                          [this, &mode] { copyMeasures(targets_.workspace, mode.selected()); });
   QAction* remove = action(tr("De&lete"), QKeySequence::Delete, [&mode] { mode.removeSelected(); });
   QAction* removeAll = action(tr("Delete a&ll"), {}, [&mode] { mode.removeAll(); });
+  removeAll->setObjectName(QStringLiteral("deleteMeasures"));
   const auto enable = [&document, &mode, copy, remove, removeAll] {
     copy->setEnabled(!document.measures().empty());
     remove->setEnabled(mode.selected().has_value());

@@ -30,31 +30,41 @@ void Actions::makeViewMenu() {
   makeOverlayEntries(*menu);
   menu->addMenu(makeSlicesMenu());
   menu->addSeparator();
+  makeLayoutMenu(*menu);
+  makeSliceMenu(*menu);
   menu->addAction(action(tr("All &views"), QKeySequence(tr("Esc")), [this] { stop(); }));
   menu->addAction(action(tr("F&ull screen"), QKeySequence(tr("F11")), [this] {
     targets_.window.setWindowState(targets_.window.windowState() ^ Qt::WindowFullScreen);
   }));
   menu->addSeparator();
-  for (QDockWidget* dock : targets_.window.findChildren<QDockWidget*>()) menu->addAction(dock->toggleViewAction());
+  for (QDockWidget* dock : targets_.window.findChildren<QDockWidget*>()) {
+    dock->toggleViewAction()->setObjectName(dock->objectName() + QStringLiteral("Shown"));
+    menu->addAction(dock->toggleViewAction());
+  }
   menu->addAction(action(tr("Reset la&yout"), {}, [this] { targets_.resetLayout(); }));
+  menu->actions().constLast()->setObjectName(QStringLiteral("resetLayout"));
   menu->addAction(preferenceToggle(tr("Li&ght theme"), {}, Preference::LightTheme));
+  menu->actions().constLast()->setObjectName(QStringLiteral("lightTheme"));
 }
 
 void Actions::makeLookFromMenu(QMenu& menu) {
   struct Side {
     const char *letter, *name;
     StandardView view;
+    const char* numpad;  ///< as in Blender: 1 the front, 3 a side, 7 the top, with Ctrl the opposite one
   };
   QList<QAction*> sides;
-  for (const Side& side :
-       {Side{"A", QT_TR_NOOP("Anterior"), StandardView::Anterior},
-        Side{"P", QT_TR_NOOP("Posterior"), StandardView::Posterior}, Side{"L", QT_TR_NOOP("Left"), StandardView::Left},
-        Side{"R", QT_TR_NOOP("Right"), StandardView::Right}, Side{"S", QT_TR_NOOP("Superior"), StandardView::Superior},
-        Side{"I", QT_TR_NOOP("Inferior"), StandardView::Inferior}}) {
+  for (const Side& side : {Side{"A", QT_TR_NOOP("Anterior"), StandardView::Anterior, "Num+1"},
+                           Side{"P", QT_TR_NOOP("Posterior"), StandardView::Posterior, "Ctrl+Num+1"},
+                           Side{"L", QT_TR_NOOP("Left"), StandardView::Left, "Num+3"},
+                           Side{"R", QT_TR_NOOP("Right"), StandardView::Right, "Ctrl+Num+3"},
+                           Side{"S", QT_TR_NOOP("Superior"), StandardView::Superior, "Num+7"},
+                           Side{"I", QT_TR_NOOP("Inferior"), StandardView::Inferior, "Ctrl+Num+7"}}) {
     QAction* made =
         volumeAction(tr(side.name), QKeySequence(QStringLiteral("Shift+%1").arg(QLatin1String(side.letter))),
                      [this, which = side.view] { viewCommands_.face(which); });
     made->setIconText(QLatin1String(side.letter));
+    addKey(*made, QKeySequence(QLatin1String(side.numpad)));
     sides << made;
   }
   menu.addMenu(tr("&Look from"))->addActions(sides);

@@ -9,6 +9,7 @@
 #include "viewer/model/LabelName.h"
 #include "viewer/model/MeasureText.h"
 #include "viewer/model/NumberText.h"
+#include "viewer/model/ViewOptions.h"
 #include "viewer/views/GlSupport.h"
 #include "viewer/views/ViewArea.h"
 
@@ -29,7 +30,8 @@ QString patientCoordinates(glm::dvec3 world) {
 
 }  // namespace
 
-StatusBar::StatusBar(const Document& document, const ViewArea& views, const GlSupport& gl, QWidget* parent)
+StatusBar::StatusBar(const Document& document, const ViewOptions& options, const ViewArea& views, const GlSupport& gl,
+                     QWidget* parent)
     : QStatusBar(parent), document_(document), views_(views), pointer_(new QLabel), frame_(new QLabel) {
   pointer_->setTextFormat(Qt::PlainText);
   addWidget(pointer_, 1);
@@ -42,7 +44,13 @@ StatusBar::StatusBar(const Document& document, const ViewArea& views, const GlSu
   }
   frame_->setToolTip(tr("Time until the last picture was on screen, and its sampling"));
   addPermanentWidget(frame_);
-  addPermanentWidget(new QLabel(tr("Radiological convention")));
+  auto* convention = new QLabel;
+  addPermanentWidget(convention);
+  const auto nameConvention = [convention, &options] {
+    convention->setText(options.isNeurological() ? tr("Neurological convention") : tr("Radiological convention"));
+  };
+  connect(&options, &ViewOptions::changed, convention, nameConvention);
+  nameConvention();
 
   connect(&document, &Document::volumeChanged, this, [this] {
     pointer_->clear();

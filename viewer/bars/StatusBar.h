@@ -13,11 +13,13 @@ namespace fenestra::viewer {
 class Document;
 struct GlSupport;
 class ViewArea;
+class ViewOptions;
 
 class StatusBar : public QStatusBar {
   Q_OBJECT
  public:
-  StatusBar(const Document& document, const ViewArea& views, const GlSupport& gl, QWidget* parent = nullptr);
+  StatusBar(const Document& document, const ViewOptions& options, const ViewArea& views, const GlSupport& gl,
+            QWidget* parent = nullptr);
 
   /// Shows time and sampling of the last picture. It does so itself once that is on screen, in a motion twice a second.
   void showFrame();

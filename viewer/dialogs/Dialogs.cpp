@@ -31,8 +31,9 @@ QList<MenuKey> menuKeys(const QMenuBar& menus) {
       const QString text = QString(action->text()).remove(QLatin1Char('&')).remove(QStringLiteral("…"));
       if (action->menu())
         add(action->menu()->actions(), menu.isEmpty() ? text : menu);
-      else if (!action->shortcut().isEmpty())
-        keys << MenuKey{menu, action->shortcut().toString(QKeySequence::NativeText), text};
+      else
+        for (const QKeySequence& shortcut : action->shortcuts())
+          keys << MenuKey{menu, shortcut.toString(QKeySequence::NativeText), text};
     }
   };
   add(menus.actions(), {});

@@ -1,6 +1,10 @@
 #include "viewer/files/FileOpener.h"
 
+#include <algorithm>
+#include <cstddef>
+#include <limits>
 #include <optional>
+#include <tuple>
 
 #include <QFileInfo>
 #include <QMenu>
@@ -141,6 +145,20 @@ void FileOpener::chooseVoxelSize() {
   chosen.series = study.series.id;
   chosen.spacing = ask.spacing();
   load(chosen);
+}
+
+void FileOpener::openNeighbour(int step) {
+  const io::Study& study = document_.study();
+  std::vector<const io::SeriesInfo*> all{&study.series};
+  for (const io::SeriesInfo& other : study.otherSeries) all.push_back(&other);
+  // Those without a number last, each in an order that does not depend on which one is open.
+  const auto place = [](const io::SeriesInfo* series) {
+    return std::tuple(series->study, series->number.value_or(std::numeric_limits<int>::max()), series->id);
+  };
+  std::sort(all.begin(), all.end(), [&](const auto* one, const auto* other) { return place(one) < place(other); });
+  const auto count = static_cast<std::ptrdiff_t>(all.size());
+  const std::ptrdiff_t now = std::find(all.begin(), all.end(), &study.series) - all.begin();
+  if (count > 1) openSeries(std::string(all[static_cast<std::size_t>((now + step + count) % count)]->id));
 }
 
 std::vector<std::filesystem::path> localPaths(const QMimeData& data) {

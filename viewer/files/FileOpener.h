@@ -55,6 +55,8 @@ class FileOpener : public QObject {
   void chooseSeries() { Q_EMIT seriesWanted(); }
   /// Opens another series of what is open, by its id.
   void openSeries(const std::string& series);
+  /// Opens the next series of the folder by its number, or with -1 the one before; from the last on to the first.
+  void openNeighbour(int step);
 
  Q_SIGNALS:
   void seriesWanted();

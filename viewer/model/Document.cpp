@@ -24,6 +24,23 @@ void Document::open(io::Study study) {
     grown_.push_back({{std::move(study_.growth), std::move(facts)}, seeds});
   }
   updateDrawn();
+  reportAll();
+}
+
+void Document::close() {
+  if (!hasVolume()) return;
+  study_ = {};
+  window_ = {};
+  inverted_ = false;
+  history_.clear();
+  labelsRevision_ = filedRevision_ = ++lastRevision_;
+  preview_ = {};
+  grown_.clear();
+  opened_.clear();
+  reportAll();
+}
+
+void Document::reportAll() {
   Q_EMIT volumeChanged();
   showMeasures(study_.session.measures);
   Q_EMIT labelsChanged();

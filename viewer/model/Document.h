@@ -28,6 +28,9 @@ class Document : public QObject, private DocumentParts {
   /// Shows a study with its scene's look and, where it comes from a session, that session's display window. Clears the
   /// history.
   void open(io::Study study);
+  /// Lets the study go: nothing is open afterwards, as before the first study, and volumeChanged() and all else is
+  /// reported.
+  void close();
   /// Sets a label map on the volume's grid, or none. Clears the old labels' settings, a focus made of them, and the
   /// history.
   void setLabels(std::shared_ptr<const LabelMap> labels, io::SessionLabels from = {});
@@ -186,6 +189,8 @@ class Document : public QObject, private DocumentParts {
   void sceneChanged();
 
  private:
+  /// Reports all that another study, or none, changes.
+  void reportAll();
   struct Grown : Growing {
     RegionFocus seeds;
   };

@@ -24,6 +24,10 @@ const QString viewsKey = QStringLiteral("layout/views");
 const QString serversKey = QStringLiteral("archive/servers");
 const QString searchesKey = QStringLiteral("archive/searches");
 const QString archiveFolderKey = QStringLiteral("archive/folder");
+const QString foldedKey = QStringLiteral("layout/folded");
+const QString ownLayoutsKey = QStringLiteral("layout/own");
+const QString ownWindowsKey = QStringLiteral("window/own");
+const QString keysKey = QStringLiteral("keys/changed");
 const QString placementKey = QStringLiteral("placement/%1");
 
 struct NamedPickWeight {
@@ -102,7 +106,12 @@ constexpr std::array table{
                     QT_TRANSLATE_NOOP("Settings",
                                       "Disk space for what was retrieved from archive servers: the series used longest "
                                       "ago go first"),
-                    50, 1, 100000, QT_TRANSLATE_NOOP("Settings", "GB")}};
+                    50, 1, 100000, QT_TRANSLATE_NOOP("Settings", "GB")},
+    PreferenceEntry{Preference::Neurological, Kind::Switch, "picture/neurological",
+                    QT_TRANSLATE_NOOP("Settings", "Neurological convention"),
+                    QT_TRANSLATE_NOOP("Settings",
+                                      "Axial and coronal slices show the patient's left on the left; "
+                                      "otherwise it is on the right, as radiologists have it")}};
 
 }  // namespace
 
@@ -243,12 +252,37 @@ void Preferences::setArchiveFolder(const std::filesystem::path& folder) {
 
 QByteArray Preferences::windowGeometry() const { return value(geometryKey).toByteArray(); }
 QByteArray Preferences::windowState() const { return value(stateKey).toByteArray(); }
+QStringList Preferences::foldedPanels() const { return value(foldedKey).toStringList(); }
+void Preferences::setFoldedPanels(const QStringList& names) { store(foldedKey, names); }
 QByteArray Preferences::viewLayout() const { return value(viewsKey).toByteArray(); }
 
 void Preferences::setLayout(const QByteArray& geometry, const QByteArray& state, const QByteArray& views) {
   store(geometryKey, geometry);
   store(stateKey, state);
   store(viewsKey, views);
+}
+
+QVariantMap Preferences::ownLayouts() const { return value(ownLayoutsKey).toMap(); }
+
+void Preferences::setOwnLayouts(const QVariantMap& layouts) {
+  store(ownLayoutsKey, layouts);
+  Q_EMIT ownChanged();
+}
+
+QVariantMap Preferences::ownWindows() const { return value(ownWindowsKey).toMap(); }
+
+void Preferences::setOwnWindows(const QVariantMap& windows) {
+  store(ownWindowsKey, windows);
+  Q_EMIT ownChanged();
+}
+
+QByteArray Preferences::keys() const { return value(keysKey).toByteArray(); }
+
+void Preferences::setKeys(const QByteArray& keys) {
+  if (keys.isEmpty())
+    remove(keysKey);
+  else
+    store(keysKey, keys);
 }
 
 PlacementSettings Preferences::placement() const {

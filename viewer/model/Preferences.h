@@ -14,6 +14,7 @@
 #include <QSettings>
 #include <QStringList>
 #include <QVariant>
+#include <QVariantMap>
 
 #include "rendering/settings/Look.h"
 #include "viewer/model/FramePacer.h"
@@ -32,7 +33,8 @@ enum class Preference : std::uint8_t {
   HidesPatient,
   KeepsRecent,
   KeepsCopies,
-  ArchiveGigabytes
+  ArchiveGigabytes,
+  Neurological
 };
 
 /// A preference's declaration: storage, the dialog and the defaults are made from preferenceTable().
@@ -97,7 +99,20 @@ class Preferences : public QObject {
   QByteArray windowGeometry() const;
   QByteArray windowState() const;
   QByteArray viewLayout() const;
+  /// Names of the panels that are folded.
+  QStringList foldedPanels() const;
+  void setFoldedPanels(const QStringList& names);
   void setLayout(const QByteArray& geometry, const QByteArray& state, const QByteArray& views);
+
+  /// The user's own layouts of the views by name, as ViewArea::saveLayout() gives them.
+  QVariantMap ownLayouts() const;
+  void setOwnLayouts(const QVariantMap& layouts);
+  /// The user's own windows by name: width and level.
+  QVariantMap ownWindows() const;
+  void setOwnWindows(const QVariantMap& windows);
+  /// The keys that the user has changed, as KeyBindings writes them; empty: none.
+  QByteArray keys() const;
+  void setKeys(const QByteArray& keys);
 
   /// How cameras are placed. Values that were never stored or are out of range have their defaults.
   PlacementSettings placement() const;
@@ -105,6 +120,8 @@ class Preferences : public QObject {
 
  Q_SIGNALS:
   void changed(Preference which);
+  /// ownLayouts() or ownWindows() changed.
+  void ownChanged();
 
  private:
   QVariant value(const QString& key, const QVariant& otherwise = {}) const;

@@ -18,6 +18,7 @@ constexpr std::array settings{
     OwnedSetting{"Crosshair", Data},
     OwnedSetting{"Turned and thick slices", Data},
     OwnedSetting{"Cameras and frozen openings", Data},
+    OwnedSetting{"Flips and turns of slices", Data},
     OwnedSetting{"Undo", Data},
     OwnedSetting{"Notices", Data},
     OwnedSetting{"Transfer function and shift", Look},
@@ -37,6 +38,7 @@ constexpr std::array settings{
     OwnedSetting{"Click chooses the focus", Habit},
     OwnedSetting{"Size and softness of brushes", Habit},
     OwnedSetting{"Hide the patient", Habit},
+    OwnedSetting{"Neurological convention", Habit},
     OwnedSetting{"Layout of the window", Habit},
 };
 

@@ -70,6 +70,7 @@ void AppearancePanel::layOut() {
 }
 
 void AppearancePanel::fitToVolume() {
+  if (!document_.hasVolume()) return show();
   const Volume& volume = *document_.scene().volume;
   // Only a volume with a table can be shown without.
   const Scene& scene = document_.scene();

@@ -38,7 +38,7 @@ BrushPanel::BrushPanel(Document& document, Brush& brush, QWidget* parent)
       strokes_(new StrokeList(document)) {
   setBody(makeBody());
   connectSettings();
-  connect(&document, &Document::volumeChanged, this, [this] { setEnabled(true); });
+  connect(&document, &Document::volumeChanged, this, [this, &document] { setEnabled(document.hasVolume()); });
   setEnabled(false);
   showBrush();
 }

@@ -48,6 +48,7 @@ LabelEditPanel::LabelEditPanel(Document& document, QWidget* parent)
 
   connect(&document, &Document::focusChanged, this, &LabelEditPanel::showFocus);
   connect(&document, &Document::volumeChanged, this, [this] {
+    if (!document_.hasVolume()) return;
     const glm::dvec3 spacing = document_.scene().volume->grid.spacing;
     distance_->setValue(std::max({spacing.x, spacing.y, spacing.z}));
   });

@@ -19,7 +19,7 @@ const QColor curvePaper(18, 20, 23), fill(62, 68, 76), line(196, 202, 210), plat
     present(255, 196, 84), curveFaint(128, 133, 140);
 
 /// "0.01 ml", "12 ml".
-QString volumeText(double ml) {
+QString cornerVolumeText(double ml) {
   const int decimals = std::clamp(static_cast<int>(std::ceil(1.0 - std::log10(std::max(ml, 1e-6)))), 0, 4);
   return TolerancePlot::tr("%1 ml").arg(ml, 0, 'f', decimals);
 }
@@ -102,8 +102,8 @@ void TolerancePlot::paintEvent(QPaintEvent*) {
   small.setPointSizeF(0.8 * small.pointSizeF());
   painter.setFont(small);
   painter.setPen(curveFaint);
-  painter.drawText(plot.adjusted(2, 0, 0, 0), Qt::AlignLeft | Qt::AlignTop, volumeText(std::pow(10.0, curve.high)));
-  painter.drawText(plot.adjusted(2, 0, 0, 0), Qt::AlignLeft | Qt::AlignBottom, volumeText(std::pow(10.0, curve.low)));
+  painter.drawText(plot.adjusted(2, 0, 0, 0), Qt::AlignLeft | Qt::AlignTop, cornerVolumeText(std::pow(10.0, curve.high)));
+  painter.drawText(plot.adjusted(2, 0, 0, 0), Qt::AlignLeft | Qt::AlignBottom, cornerVolumeText(std::pow(10.0, curve.low)));
 }
 
 void TolerancePlot::mousePressEvent(QMouseEvent* event) {

@@ -129,6 +129,7 @@ void TransferFunctionEditor::takeFunction(const std::string& presetOrPath) {
 }
 
 void TransferFunctionEditor::fitToVolume() {
+  if (!document_.hasVolume()) return showNode();
   const Volume& volume = *document_.scene().volume;
   const double span = std::max(volume.range.high - volume.range.low, 1e-12);
   const QSignalBlocker quiet(value_);

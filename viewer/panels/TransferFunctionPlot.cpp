@@ -15,7 +15,7 @@ namespace fenestra::viewer {
 namespace {
 
 // Plots have these colours in both themes, as pictures have theirs.
-const QColor paper(18, 20, 23), bars(62, 68, 76), lines(44, 48, 54), faint(150, 156, 164), chosen(255, 196, 84),
+const QColor paper(18, 20, 23), bars(62, 68, 76), gridLines(44, 48, 54), faint(150, 156, 164), chosen(255, 196, 84),
     ring(110, 163, 210);
 constexpr double handleRadius = 4.5, chosenRadius = 6.0;  ///< device-independent pixels, as all below
 constexpr double rightMargin = 10.0, topMargin = 10.0;
@@ -45,6 +45,14 @@ TransferFunctionPlot::TransferFunctionPlot(Document& document, QWidget* parent) 
 
 void TransferFunctionPlot::countValues() {
   drag_.reset();
+  if (!document_.hasVolume()) {
+    histogram_ = {};
+    labelHistogram_.reset();
+    counted_ = {};
+    target_ = {};
+    Q_EMIT changed();
+    return update();
+  }
   histogram_ = histogramOf(*document_.scene().volume);
   countLabel();
   axis_ = {0.0, 0.0};
@@ -216,7 +224,7 @@ void TransferFunctionPlot::drawAxes(QPainter& painter) const {
   locale.setNumberOptions(QLocale::OmitGroupSeparator);
   for (const double opacity : {0.0, 0.5, 1.0}) {
     const double y = place(shown_.low, opacity).y();
-    painter.setPen(QPen(lines, 1.0));
+    painter.setPen(QPen(gridLines, 1.0));
     painter.drawLine(QPointF(plot.left(), y), QPointF(plot.right(), y));
     painter.setPen(faint);
     painter.drawText(QRectF(0.0, y - (opacity > 0.0 ? 0.5 : 0.9) * line, plot.left() - 4.0, line),

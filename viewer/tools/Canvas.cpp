@@ -15,8 +15,8 @@ double Canvas::pixelsOf(double mm, glm::dvec3 at) const {
 }
 
 Camera::Axes SliceCanvas::axes() const {
-  const glm::dvec3 right = glm::normalize(geometry().right), up = -glm::normalize(geometry().down);
-  return {right, up, glm::normalize(glm::cross(up, right))};
+  const glm::dvec3 across = glm::normalize(right()), up = -glm::normalize(down());
+  return {across, up, glm::normalize(glm::cross(up, across))};
 }
 
 std::optional<Canvas::Section> SliceCanvas::section() const {

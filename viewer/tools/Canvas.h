@@ -63,6 +63,9 @@ class SliceCanvas : public Canvas {
   virtual const SliceGeometry& geometry() const = 0;
   virtual int slice() const = 0;    ///< the number of the slice that is shown
   virtual QRectF view() const = 0;  ///< all of the view
+  /// World directions of the view's right and down; those of the slice, unless it is mirrored or turned.
+  virtual glm::dvec3 right() const { return geometry().right; }
+  virtual glm::dvec3 down() const { return geometry().down; }
   /// The point of that slice at a position, also beside the picture.
   virtual glm::dvec3 worldFromWidget(QPointF position) const = 0;
 

@@ -141,8 +141,8 @@ void PlaneTool::drag(const QMouseEvent& event) {
     constexpr double diagonal = glm::pi<double>() / 4.0;
     turn = std::round((lineBefore_ + turn) / diagonal) * diagonal - lineBefore_;
   }
-  // Clockwise in the picture is from its right towards down, which is right-handed about the section's normal.
-  const glm::dvec3 about = canvas_.section()->normal;
+  // Clockwise in the view is from its right towards down, whether or not the slice is mirrored there.
+  const glm::dvec3 about = glm::normalize(glm::cross(canvas_.right(), canvas_.down()));
   for (const SlicePlane plane : SlicePlanes::all) {
     if (plane == canvas_.geometry().plane) continue;
     const bool both = event.modifiers() & Qt::ControlModifier;

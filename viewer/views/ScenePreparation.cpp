@@ -208,6 +208,16 @@ void ScenePreparation::forgetFailure() {
   failed_ = {};
 }
 
+void ScenePreparation::letGo() {
+  glContext_.stop();
+  forgetFailure();
+  prepared_.reset();
+  known_.clear();
+  scheduledFor_.reset();
+  // A scene that is hardly larger than none takes the study's place.
+  glContext_.run([this] { gpuScene_->update(sampleScene({}), GpuScene::Use::WithoutOcclusion); });
+}
+
 void ScenePreparation::start(const Scene& scene, const View& view, const Kind& kind) {
   // For another volume, compiling the same programs again takes almost no time.
   std::erase_if(known_, [&](const Kind& known) { return known.volume != kind.volume; });

@@ -42,6 +42,8 @@ class ScenePreparation {
   Schedule schedule() const { return schedule_; }
   /// Lets a volume that could not be prepared be tried again.
   void forgetFailure();
+  /// No study is open: its textures are freed, and nothing of it is kept.
+  void letGo();
 
  private:
   /// Everything that decides which programs draw a picture.

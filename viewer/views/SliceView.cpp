@@ -111,18 +111,19 @@ void SliceView::showVolume() {
   windowAtPress_ = document_.window();
   pressed_ = last_;
   dragging_ = true;  // so that a release that follows is no click
+  turn_ = {};
   readGeometry();
 }
 
 void SliceView::readGeometry() {
-  if (!document_.hasVolume()) return;
+  forgetSlice();
+  if (!document_.hasVolume()) return update();
   geometry_ = planes_.geometry(geometry_.plane);
   fitted_ = {geometry_.width * glm::length(geometry_.right), geometry_.height * glm::length(geometry_.down)};
   zoom_ = 1.0;
   centre_ = {0.5 * geometry_.width * glm::length(geometry_.right),
              0.5 * geometry_.height * glm::length(geometry_.down)};
   slice_ = cursor_.slice(geometry_);
-  forgetSlice();
   preparePicture();
   invalidate();
 }
@@ -133,8 +134,8 @@ void SliceView::forgetSlice() {
   values_.clear();
   grey_.clear();
   labels_.clear();
-  steps_.all.clear();
-  awaited_.all.clear();
+  steps_ = {};
+  awaited_ = {};
   image_ = {};
 }
 
@@ -142,7 +143,7 @@ void SliceView::setGeometry(const SliceGeometry& geometry, glm::dvec3 kept) {
   const QPointF before = widgetFromWorld(kept);
   geometry_ = geometry;
   slice_ = cursor_.slice(geometry_);
-  centre_ += (widgetFromWorld(kept) - before) / pixelsPerMm();
+  centre_ += mmOfMove(widgetFromWorld(kept) - before);
 }
 
 void SliceView::followPlane() {
@@ -159,7 +160,8 @@ SliceView::Picture SliceView::wantedPicture() const {
   const double voxel = glm::length(geometry_.right), scale = pixelsPerMm();
   const double coarser = planes_.isMoving(geometry_.plane) ? 2.0 : 1.0;
   const double side = std::max(voxel, coarser / (scale * devicePixelRatioF()));
-  const QPointF half(0.5 * width() / scale, 0.5 * height() / scale);
+  const QSizeF view = sizeAlongSlice();
+  const QPointF half(0.5 * view.width() / scale, 0.5 * view.height() / scale);
   // Whole pixels from the corner of geometry_, so that they stay where they are while the view is moved.
   const auto span = [side](double low, double high, double most) {
     const int first = static_cast<int>(std::floor(std::clamp(low, 0.0, most) / side));
@@ -214,6 +216,7 @@ void SliceView::invalidate() {
 }
 
 void SliceView::resetView() {
+  turn_ = {};
   readGeometry();
   document_.resetWindow();
 }
@@ -315,14 +318,6 @@ void SliceView::collectOutlines(const std::vector<char>& focused) {
   awaitedOutline_ = polygonsOf(smoothOutlines(awaited, picture_.geometry.width, picture_.geometry.height));
 }
 
-QTransform SliceView::widgetFromPixels() const {
-  const double scale = pixelsPerMm();
-  const QPointF topLeft = QPointF(0.5 * width(), 0.5 * height()) + (picture_.corner - centre_) * scale;
-  QTransform transform = QTransform::fromTranslate(topLeft.x(), topLeft.y());
-  transform.scale(scale * glm::length(picture_.geometry.right), scale * glm::length(picture_.geometry.down));
-  return transform;
-}
-
 QPainterPath SliceView::openingEdge() const {
   if (!opening_.starts() || !document_.hasVolume()) return {};
   if (!openingOutline_)
@@ -353,23 +348,6 @@ const QList<QPolygonF>& SliceView::removedOutline() const {
     }
   *removedOutline_ = polygonsOf(smoothOutlines(gone, picture_.geometry.width, picture_.geometry.height));
   return *removedOutline_;
-}
-
-double SliceView::pixelsPerMm() const {
-  const double fit = std::min(width() / fitted_.width(), height() / fitted_.height());
-  return fit * zoom_;
-}
-
-QPointF SliceView::widgetFromWorld(glm::dvec3 world) const {
-  const glm::dvec3 pixel = geometry_.pixelFromWorld(world);
-  const QPointF mm((pixel.x + 0.5) * glm::length(geometry_.right), (pixel.y + 0.5) * glm::length(geometry_.down));
-  return QPointF(0.5 * width(), 0.5 * height()) + (mm - centre_) * pixelsPerMm();
-}
-
-glm::dvec3 SliceView::worldFromWidget(QPointF position) const {
-  const QPointF mm = centre_ + (position - QPointF(0.5 * width(), 0.5 * height())) / pixelsPerMm();
-  return geometry_.worldFromPixel(mm.x() / glm::length(geometry_.right) - 0.5,
-                                  mm.y() / glm::length(geometry_.down) - 0.5, slice_);
 }
 
 bool SliceView::inPicture(glm::dvec3 world) const {

@@ -54,8 +54,26 @@ class SliceView : public QWidget {
   const MeasureTool& measureTool() const { return measureTool_; }
   const ClipTool& clipTool() const { return clipTool_; }
   const PlaneTool& planeTool() const { return planeTool_; }
-  /// Fits the whole slice into the view and sets the data's own window and level.
+  /// Fits the whole slice into the view, neither flipped nor turned, and sets the data's own window and level.
   void resetView();
+
+  /// How the picture lies in the view: mirrored across, then turned clockwise.
+  struct Turn {
+    bool mirrored = false;
+    int quarters = 0;  ///< 0 to 3
+    bool operator==(const Turn&) const = default;
+  };
+  /// The user's turn, and with ViewOptions::isNeurological() the mirroring that this is for axial and coronal slices.
+  Turn turn() const;
+  void flipAcross();
+  void flipDown();
+  void turnClockwise();
+  /// World directions of the view's right and down, as long as a pixel of the slice along them.
+  glm::dvec3 screenRight() const;
+  glm::dvec3 screenDown() const;
+  /// Shows a millimetre as one on the screen, around the middle. False where the screen does not say how large it is.
+  bool showTrueSize();
+  bool isTrueSize() const;
 
   /// Where a world point lies in the widget when projected onto the slice, and the point of the shown slice at a place
   /// in the widget.
@@ -125,6 +143,17 @@ class SliceView : public QWidget {
   class Tints;
   /// Pixels of the picture, from its corner, to the widget.
   QTransform widgetFromPixels() const;
+  /// Millimetres from the corner of the slice's first pixel to the widget.
+  QTransform widgetFromMm() const;
+  /// The view's sides along the slice's right and down, in the widget's pixels.
+  QSizeF sizeAlongSlice() const;
+  /// A move in the widget as one on the slice, mm.
+  QPointF mmOfMove(QPointF move) const;
+  void setTurn(Turn turn);
+  /// Device-independent pixels of a millimetre on the screen; 0 where the screen does not say it.
+  double screenPixelsPerMm() const;
+  /// Which sides the patient's left and right are on, and how the picture was turned, in words.
+  QStringList conventionText() const;
   void readSteps(Steps& steps, std::shared_ptr<const LabelMap> of) const;
   void collectOutlines(const std::vector<char>& focused);
   void zoomAt(QPointF position, double factor);
@@ -145,7 +174,7 @@ class SliceView : public QWidget {
   QStringList planeText() const;
   void drawSeeds(QPainter& painter) const;
   /// Marks the planes that were not scanned. Returns whether the shown slice is one.
-  bool drawInterpolated(QPainter& painter, const QRectF& picture) const;
+  bool drawInterpolated(QPainter& painter) const;
   bool showsInterpolated() const;
 
   Document& document_;
@@ -185,6 +214,7 @@ class SliceView : public QWidget {
   mutable std::optional<QList<QPolygonF>> removedOutline_;
   mutable std::optional<QList<QPolygonF>> openingOutline_;  ///< in pixels as outline_; empty until it is found
 
+  Turn turn_;          ///< the user's
   double zoom_ = 1.0;  ///< 1: the whole slice fits
   QPointF centre_;     ///< slice position in the middle of the widget, in mm from the corner of the slice's first pixel
 

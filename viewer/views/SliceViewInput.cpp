@@ -55,7 +55,7 @@ void SliceView::mouseMoveEvent(QMouseEvent* event) {
     document_.setWindow(
         {std::max(windowAtPress_.width + total.x() * perPixel, least), windowAtPress_.level + total.y() * perPixel});
   } else if (buttons & Qt::MiddleButton) {
-    centre_ -= move / pixelsPerMm();
+    centre_ -= mmOfMove(move);
     update();
   } else if (buttons & Qt::RightButton) {
     zoomAt(pressed_, std::exp(-0.01 * move.y()));
@@ -105,9 +105,9 @@ void SliceView::mouseDoubleClickEvent(QMouseEvent* event) {
 
 void SliceView::zoomAt(QPointF position, double factor) {
   const QPointF fromMiddle = position - QPointF(0.5 * width(), 0.5 * height());
-  const QPointF fixed = centre_ + fromMiddle / pixelsPerMm();
+  const QPointF fixed = centre_ + mmOfMove(fromMiddle);
   zoom_ = std::clamp(zoom_ * factor, 0.2, 50.0);
-  centre_ = fixed - fromMiddle / pixelsPerMm();
+  centre_ = fixed - mmOfMove(fromMiddle);
   update();
 }
 
@@ -149,6 +149,12 @@ void SliceView::keyPressEvent(QKeyEvent* event) {
     case Qt::Key_PageDown:
       steps = -10;
       break;
+    case Qt::Key_Home:
+      steps = -geometry_.count;
+      break;
+    case Qt::Key_End:
+      steps = geometry_.count;
+      break;
     default:
       QWidget::keyPressEvent(event);
       return;
@@ -168,6 +174,8 @@ class SliceView::ToolCanvas : public SliceCanvas {
   const SliceGeometry& geometry() const override { return view_.geometry_; }
   int slice() const override { return view_.slice_; }
   QRectF view() const override { return view_.rect(); }
+  glm::dvec3 right() const override { return view_.screenRight(); }
+  glm::dvec3 down() const override { return view_.screenDown(); }
   QPointF onSlice(glm::dvec3 world) const override { return view_.widgetFromWorld(world); }
   glm::dvec3 worldFromWidget(QPointF position) const override { return view_.worldFromWidget(position); }
   std::optional<glm::dvec3> pickSurface(QPointF position) const override {

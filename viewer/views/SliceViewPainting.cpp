@@ -40,16 +40,19 @@ void SliceView::draw(QPainter& painter, bool marks) {
   preparePicture();
   if (image_.isNull()) makeImage();
 
-  const double scale = pixelsPerMm();
-  const SliceGeometry& pixels = picture_.geometry;
-  const QPointF topLeft = QPointF(0.5 * width(), 0.5 * height()) + (picture_.corner - centre_) * scale;
-  const QRectF target(topLeft, QSizeF(pixels.width * glm::length(pixels.right) * scale,
-                                      pixels.height * glm::length(pixels.down) * scale));
   painter.setRenderHint(QPainter::SmoothPixmapTransform);
-  painter.drawImage(target, image_);
+  const QRectF whole(0.0, 0.0, picture_.geometry.width, picture_.geometry.height);
+  if (turn() == Turn{}) {
+    painter.drawImage(widgetFromPixels().mapRect(whole), image_);
+  } else {
+    painter.save();
+    painter.setTransform(widgetFromPixels(), true);
+    painter.drawImage(whole, image_);
+    painter.restore();
+  }
 
   drawOutlines(painter);
-  const bool interpolated = drawInterpolated(painter, target);
+  const bool interpolated = drawInterpolated(painter);
   if (marks) drawMarks(painter, interpolated);
 }
 
@@ -91,7 +94,7 @@ void SliceView::drawMarks(QPainter& painter, bool interpolated) const {
     drawWaiting(painter, view, region.isEmpty() ? tr("Not yet as asked for") : region);
   }
   tools_.draw(painter, view);
-  drawEdgeLetters(painter, view, geometry_.right, geometry_.down);
+  drawEdgeLetters(painter, view, screenRight(), screenDown());
   drawScaleBar(painter, view, 1.0 / pixelsPerMm());
   QStringList title{name()};
   if (interpolated) title << tr("Interpolated, not scanned");
@@ -99,16 +102,31 @@ void SliceView::drawMarks(QPainter& painter, bool interpolated) const {
   if (options_.text()) {
     title << tr("%1 / %2").arg(slice_ + 1).arg(geometry_.count).replace(QLatin1Char(' '), QChar(QChar::Nbsp));
     drawCorner(painter, view, Qt::AlignBottom | Qt::AlignLeft, windowText(painter.fontMetrics()), overlayGrey);
-    // Where left and right could be mistaken; a turned slice has its letters.
-    if (geometry_.plane != SlicePlane::Sagittal && !planes_.isTurned(geometry_.plane)) {
-      const QString convention = tr("Radiological");
-      if (fitsBesideLetter(painter, view, convention))
-        drawCorner(painter, view, Qt::AlignTop | Qt::AlignRight, {convention}, overlayGrey);
-      else
-        title << convention;
-    }
+    const QStringList convention = conventionText();
+    const bool fits = std::all_of(convention.begin(), convention.end(),
+                                  [&](const QString& line) { return fitsBesideLetter(painter, view, line); });
+    if (fits && !convention.isEmpty())
+      drawCorner(painter, view, Qt::AlignTop | Qt::AlignRight, convention, overlayGrey);
+    else
+      title << convention;
   }
   drawCorner(painter, besideChip(view), Qt::AlignTop | Qt::AlignLeft, title, planeColour(geometry_.plane));
+}
+
+QStringList SliceView::conventionText() const {
+  QStringList text;
+  // Where left and right could be mistaken. In world coordinates the first axis points to the patient's left.
+  // A turned slice has its letters.
+  if (geometry_.plane != SlicePlane::Sagittal && !planes_.isTurned(geometry_.plane)) {
+    const glm::dvec3 right = glm::normalize(screenRight());
+    constexpr double mostly = 0.7;  // about the cosine of 45 degrees: farther off, left is above or below
+    if (right.x > mostly) text << tr("Radiological");
+    if (right.x < -mostly) text << tr("Neurological");
+  }
+  if (turn_.mirrored) text << tr("flipped");
+  if (turn_.quarters) text << tr("turned by %1°").arg(90 * turn_.quarters);
+  if (isTrueSize()) text << tr("true size");
+  return text;
 }
 
 void SliceView::drawOutlines(QPainter& painter) const {
@@ -158,14 +176,12 @@ QStringList SliceView::windowText(const QFontMetrics& metrics) const {
   return metrics.horizontalAdvance(line) + letter < width() / 2 ? QStringList{line} : parts;
 }
 
-bool SliceView::drawInterpolated(QPainter& painter, const QRectF& picture) const {
+bool SliceView::drawInterpolated(QPainter& painter) const {
   const std::optional<io::GeometryReport>& report = document_.study().geometry;
   if (!report || report->interpolatedPlanes.empty() || planes_.isTurned(geometry_.plane)) return false;
   const Grid& grid = document_.scene().volume->grid;
-  QTransform widgetFromPixel = QTransform::fromTranslate(picture.left(), picture.top());
-  widgetFromPixel.scale(picture.width() / geometry_.width, picture.height() / geometry_.height);
   drawInterpolatedBands(painter, interpolatedBands(report->interpolatedPlanes, grid, geometry_, slice_),
-                        widgetFromPixel);
+                        widgetFromPixels());
   return showsInterpolated();
 }
 

@@ -1,6 +1,8 @@
 #include "viewer/views/ViewArea.h"
 
 #include <algorithm>
+#include <array>
+#include <cstddef>
 
 #include <QApplication>
 #include <QDataStream>
@@ -36,11 +38,10 @@ ViewArea::ViewArea(Workspace& workspace, const GlSupport& gl, const Effort& atRe
   else
     addReason(gl);
   addSliceViews(workspace);
-  rows_->setSizes({560, 440});
-  active_ = volumes_.empty() ? static_cast<QWidget*>(slices_.front()) : volumes_.front();
+  place(arrangements().front());
   connect(qApp, &QApplication::focusChanged, this, [this](QWidget*, QWidget* now) {
     for (const auto& [name, view] : namedViews())
-      if (view == now) active_ = view;
+      if (view == now && view != reason_) active_ = view;
   });
 }
 
@@ -65,20 +66,19 @@ void ViewArea::addVolumeViews(Workspace& workspace, const GlSupport& gl, const C
     connect(view, &VolumeView::drawn, this, &ViewArea::drawn);
     connect(&view->lateness(), &Lateness::changed, this, &ViewArea::lateChanged);
     connect(view, &VolumeView::raysStarted, &opening_, &OpeningEdge::set);
-    upper_->addWidget(view);
     volumes_.push_back(view);
   }
 }
 
 void ViewArea::addReason(const GlSupport& gl) {
   auto* reason =
-      new QLabel(tr("3-D views are not available here.\n\n%1\n\nThe slices below work without it.").arg(gl.problem));
+      new QLabel(tr("3-D views are not available here.\n\n%1\n\nThe slices work without it.").arg(gl.problem));
   reason->setObjectName(QStringLiteral("noOpenGl"));
   reason->setAlignment(Qt::AlignCenter);
   reason->setWordWrap(true);
   reason->setMargin(24);
   reason->setTextInteractionFlags(Qt::TextSelectableByMouse);
-  upper_->addWidget(reason);
+  reason_ = reason;
 }
 
 void ViewArea::addSliceViews(Workspace& workspace) {
@@ -90,7 +90,6 @@ void ViewArea::addSliceViews(Workspace& workspace) {
     connect(view, &SliceView::measureMenuRequested, this, &ViewArea::measureMenuRequested);
     connect(view, &SliceView::picked, this, &ViewArea::picked);
     connect(view, &SliceView::pickTakenBack, this, &ViewArea::pickTakenBack);
-    lower_->addWidget(view);
     slices_.push_back(view);
   }
 }
@@ -105,6 +104,10 @@ void ViewArea::warmUp(const Focus& expected) {
       std::find_if(kinds.begin(), kinds.end(), [&](const Focus& kind) { return kind.index() == expected.index(); });
   if (first != kinds.end()) std::rotate(kinds.begin(), first, first + 1);
   if (preparation_) preparation_->warmUp(kinds, atRest().quality, atRest().maxError);
+}
+
+void ViewArea::letGo() {
+  if (preparation_) preparation_->letGo();
 }
 
 bool ViewArea::isSettled() const {
@@ -133,23 +136,81 @@ void ViewArea::toggleMaximised(QWidget* view) {
     return;
   }
   maximised_ = view;
-  for (QSplitter* row : {upper_, lower_}) {
-    for (int i = 0; i < row->count(); ++i) row->widget(i)->setVisible(row->widget(i) == view);
-    row->setVisible(row->indexOf(view) >= 0);
-  }
+  showViews();
   view->setFocus();
 }
 
 void ViewArea::showAll() {
   maximised_ = nullptr;
-  for (QSplitter* row : {upper_, lower_}) {
-    for (int i = 0; i < row->count(); ++i) row->widget(i)->show();
-    row->show();
+  showViews();
+}
+
+void ViewArea::showViews() {
+  for (QSplitter* group : {upper_, lower_}) {
+    bool any = false;
+    for (const auto& [name, view] : namedViews()) {
+      if (group->indexOf(view) < 0) continue;
+      const bool shows = maximised_ ? view == maximised_ : arrangement_->shows(name);
+      view->setVisible(shows);
+      any |= shows;
+    }
+    group->setVisible(any);
   }
+  if (!active_ || active_->isHidden())
+    for (const auto& [name, view] : namedViews())
+      if (!view->isHidden() && view != reason_) {
+        active_ = view;
+        break;
+      }
+  Q_EMIT arranged();
+}
+
+void ViewArea::showNeighbour(int step) {
+  std::vector<QWidget*> views;
+  for (const auto& [name, view] : namedViews())
+    if (view != reason_ && (maximised_ || arrangement_->shows(name))) views.push_back(view);
+  const auto count = static_cast<std::ptrdiff_t>(views.size());
+  const auto now = std::find(views.begin(), views.end(), maximised_ ? maximised_ : active_) - views.begin();
+  QWidget* next = views[static_cast<std::size_t>((now % count + step + count) % count)];
+  if (maximised_) {
+    maximised_ = next;
+    showViews();
+  }
+  next->setFocus(Qt::ShortcutFocusReason);
+}
+
+void ViewArea::place(const Arrangement& arrangement) {
+  arrangement_ = &arrangement;
+  const auto across = arrangement.groupsLie == Qt::Vertical ? Qt::Horizontal : Qt::Vertical;
+  rows_->setOrientation(arrangement.groupsLie);
+  for (QSplitter* group : {upper_, lower_}) group->setOrientation(across);
+  const auto views = namedViews();
+  const auto add = [&](QSplitter& group, const char* name) {
+    for (const auto& [each, view] : views)
+      if (name && each == name) group.addWidget(view);
+  };
+  for (const char* name : arrangement.groups[0]) add(*upper_, name);
+  for (const char* name : arrangement.groups[1]) add(*lower_, name);
+  for (const auto& [name, view] : views)
+    if (!arrangement.shows(name)) lower_->addWidget(view);
+  rows_->setSizes({10 * arrangement.shares[0], 10 * arrangement.shares[1]});
+  for (QSplitter* group : {upper_, lower_}) group->setSizes(QList<int>(group->count(), 1000));
+  showViews();
+}
+
+void ViewArea::arrange(const Arrangement& arrangement) {
+  const bool hadFocus = active_ && active_->hasFocus();
+  if (maximised_) showAll();
+  if (&arrangement == arrangement_) return;
+  layouts_[arrangement_->id] = saveLayout();
+  place(arrangement);
+  if (const auto before = layouts_.find(arrangement.id); before != layouts_.end()) restoreLayout(before->second);
+  if (hadFocus) active_->setFocus();
 }
 
 std::vector<std::pair<std::string, QWidget*>> ViewArea::namedViews() const {
   std::vector<std::pair<std::string, QWidget*>> views;
+  if (reason_) views.emplace_back("C1", reason_);
   for (VolumeView* view : volumes_) views.emplace_back(view->index() == 0 ? "C1" : "C2", view);
   constexpr const char* planes[] = {"axial", "sagittal", "coronal"};
   for (SliceView* view : slices_) views.emplace_back(planes[static_cast<std::size_t>(view->plane())], view);
@@ -189,15 +250,25 @@ QByteArray ViewArea::saveLayout() const {
   QByteArray layout;
   QDataStream stream(&layout, QIODevice::WriteOnly);
   for (const QSplitter* splitter : {rows_, upper_, lower_}) stream << splitter->saveState();
+  stream << QByteArray(arrangement_->id);
   return layout;
 }
 
 void ViewArea::restoreLayout(const QByteArray& layout) {
+  if (layout.isEmpty()) return;
   QDataStream stream(layout);
-  for (QSplitter* splitter : {rows_, upper_, lower_}) {
-    QByteArray state;
-    stream >> state;
-    splitter->restoreState(state);
+  std::array<QByteArray, 3> states;
+  for (QByteArray& state : states) stream >> state;
+  QByteArray id;
+  if (!stream.atEnd()) stream >> id;
+  const Arrangement* wanted = findArrangement(id.toStdString());
+  if (!wanted) wanted = &arrangements().front();
+  if (wanted != arrangement_) place(*wanted);
+  const std::array<QSplitter*, 3> splitters{rows_, upper_, lower_};
+  for (std::size_t i = 0; i < splitters.size(); ++i) {
+    const Qt::Orientation orientation = splitters[i]->orientation();
+    splitters[i]->restoreState(states[i]);
+    splitters[i]->setOrientation(orientation);  // whatever a damaged state says
   }
 }
 

@@ -65,10 +65,10 @@ void VolumeView::mouseMoveEvent(QMouseEvent* event) {
   // The first step includes the slack, so that the picture does not lag behind the mouse.
   const QPointF step = dragging_ ? move : total;
   dragging_ = true;
-  if (buttons & Qt::LeftButton) {
+  if (buttons & Qt::LeftButton && !(event->modifiers() & Qt::ShiftModifier)) {
     const double perPixel = glm::pi<double>() / std::max(1, std::min(width(), height()));
     cameras_.orbit(index_, -step.x() * perPixel, -step.y() * perPixel);
-  } else if (buttons & Qt::MiddleButton) {
+  } else if (buttons & (Qt::LeftButton | Qt::MiddleButton)) {
     const double mm = mmPerPixel(shownCamera());
     cameras_.pan(index_, -step.x() * mm, step.y() * mm);
   } else if (buttons & Qt::RightButton) {
