@@ -17,14 +17,9 @@ namespace fenestra::cli {
 
 struct InfoOptions {
   io::DataRequest data;
-  bool descriptions = false;  ///< also texts and attributes that may name the patient
-  bool tags = false;          ///< the attributes of a DICOM file in place of all else
-  std::optional<int> slice;   ///< of which file, in the order of slices; the middle one when not given
-  std::string search;         ///< only attributes that hold it
+  bool descriptions = false;  ///< also the series' free texts, which may hold anything the operator typed
 };
 void info(const InfoOptions& options);
-/// With `tags`.
-void infoTags(const InfoOptions& options);
 
 struct ConvertOptions {
   io::DataRequest data;

@@ -87,15 +87,9 @@ Runnable addInfo(app::Program& program, InfoOptions& options) {
   const app::Command command = program.addCommand("info", "geometry, type, value range, series and warnings, as JSON");
   app::addVolumeOptions(command, options.data);
   command.addFlag("--descriptions", options.descriptions,
-                  "also what may name the patient: the series' descriptions, and with --tags all values");
-  const app::Option tags = command.addFlag(
-      "--tags", options.tags, "the attributes of a DICOM file instead, as JSON; values that may identify are left out");
-  command.addValue("--slice", options.slice, "of the file of this slice, from 0; the middle one otherwise").needs(tags);
-  command.addValue("--search", options.search, "only attributes whose tag, name or value holds TEXT")
-      .as("TEXT")
-      .needs(tags);
+                  "also the series' descriptions, free texts that may name the patient");
   command.atLast([command] { requireSource(command); });
-  return {command, &options.data, [&] { return options.tags ? infoTags(options) : info(options), true; }};
+  return {command, &options.data, [&] { return info(options), true; }};
 }
 
 Runnable addConvert(app::Program& program, ConvertOptions& options) {

@@ -81,39 +81,6 @@ TEST_F(DataCommands, MeasuresEachLabel) {
   EXPECT_NE(bare.error.find("name a label map with --labels"), std::string::npos) << bare.error;
 }
 
-TEST_F(DataCommands, ListsTheAttributesOfASlice) {
-  const fs::path folder = at("tags");
-  fs::create_directories(folder);
-  for (int slice = 0; slice < 3; ++slice) {
-    DicomSpec spec;
-    spec.instance = "1.2.5." + std::to_string(9 - slice);
-    spec.patientName = "Vermeer^Johanna";
-    spec.kernel = "B30f";
-    spec.position = glm::dvec3(0, 0, slice);
-    writeDicom(folder / std::to_string(9 - slice), spec);
-  }
-  const Result result = run({"info", folder.string(), "--tags", "--slice", "2"});
-  ASSERT_EQ(result.exitCode, 0) << result.error;
-  const Json listed = result.json();
-  EXPECT_EQ(listed["files"], 3);
-  EXPECT_TRUE(listed["file"].get<std::string>().ends_with("/7")) << "the third slice, whatever the files' names";
-  EXPECT_EQ(result.out.find("Vermeer"), std::string::npos);
-  const Json kernel = run({"info", folder.string(), "--tags", "--search", "convolutionkernel"}).json()["tags"];
-  ASSERT_EQ(kernel.size(), 1u);
-  EXPECT_EQ(kernel[0]["tag"], "(0018,1210)");
-  EXPECT_EQ(kernel[0]["value"], "B30f");
-  const std::vector<std::string> name{"info", folder.string(), "--tags", "--search", "PatientName"};
-  EXPECT_EQ(run(name).json()["tags"][0]["hidden"], true);
-  std::vector<std::string> open = name;
-  open.push_back("--descriptions");
-  EXPECT_EQ(run(open).json()["tags"][0]["value"], "Vermeer^Johanna");
-  EXPECT_EQ(run({"info", folder.string(), "--tags", "--slice", "3"}).exitCode, 1);
-  EXPECT_EQ(run({"info", folder.string(), "--slice", "1"}).exitCode, 2) << "of what?";
-  const Result none = run({"info", "--phantom", "torso", "--tags"});
-  EXPECT_EQ(none.exitCode, 1);
-  EXPECT_NE(none.error.find("name a DICOM file or folder"), std::string::npos) << none.error;
-}
-
 TEST_F(DataCommands, ConvertedVolumesAreTheSameVolume) {
   const Json original = run({"info", "--phantom", "head", "--phantom-voxels", "40"}).json();
   for (const std::string name : {"volume.mha", "volume.nii.gz", "volume.nii", "volume.nrrd", "Kopf größer 頭.nrrd"}) {
