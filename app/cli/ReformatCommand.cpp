@@ -24,7 +24,7 @@ using Json = nlohmann::ordered_json;
 using namespace reformat;
 
 /// The region in focus; empty without one.
-Region regionInFocus(const io::Study& study) {
+VoxelRegion regionInFocus(const io::Study& study) {
   const Scene& scene = study.drawn.scene();
   const auto* labels = std::get_if<LabelFocus>(&scene.look.focus);
   if (!labels || !scene.labels) return {};
@@ -32,7 +32,7 @@ Region regionInFocus(const io::Study& study) {
 }
 
 /// The path of the file, or else the centre line of the focus.
-std::vector<glm::dvec3> pathOf(const ReformatOptions& options, const Region& region) {
+std::vector<glm::dvec3> pathOf(const ReformatOptions& options, const VoxelRegion& region) {
   if (!options.path.empty()) return readPath(options.path);
   if (region.isEmpty())
     throw io::Error(options.study.source(), "has no path to follow",
@@ -45,7 +45,7 @@ std::vector<glm::dvec3> pathOf(const ReformatOptions& options, const Region& reg
 }
 
 /// What is known of the places along the curve, about a millimetre apart, at most a thousand of them.
-Json placesAlong(const PathCurve& curve, const Region& region) {
+Json placesAlong(const PathCurve& curve, const VoxelRegion& region) {
   const int steps = std::clamp(static_cast<int>(std::ceil(curve.length())), 1, 1000);
   Json places = Json::array();
   for (int i = 0; i <= steps; ++i) {
@@ -79,7 +79,7 @@ void reformat(const ReformatOptions& options) {
   const io::Study study = io::readStudy(options.study, progressOnTerminal());
   printWarnings(study.warnings);
   const Volume& volume = *study.scene.volume;
-  const Region region = regionInFocus(study);
+  const VoxelRegion region = regionInFocus(study);
   const PathCurve curve(pathOf(options, region));
   const double spacing = options.spacing.value_or(finestSpacing(volume.grid));
   const double angle = glm::radians(options.angle);

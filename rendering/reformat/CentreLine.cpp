@@ -33,7 +33,7 @@ struct Ways {
 };
 
 /// A step costs its length times the mean of its voxels' `weights`, or its length alone without any.
-Ways waysFrom(const Region& region, std::size_t start, const std::vector<float>& weights) {
+Ways waysFrom(const VoxelRegion& region, std::size_t start, const std::vector<float>& weights) {
   struct Step {
     glm::ivec3 by;
     float length;
@@ -73,7 +73,7 @@ Ways waysFrom(const Region& region, std::size_t start, const std::vector<float>&
 }
 
 /// mm from each voxel's centre to the surface, which lies half a voxel before the nearest centre outside.
-std::vector<float> depthsOf(const Region& region) {
+std::vector<float> depthsOf(const VoxelRegion& region) {
   std::vector<std::uint8_t> outside(region.inside.size());
   std::transform(region.inside.begin(), region.inside.end(), outside.begin(),
                  [](std::uint8_t in) { return in ? 0 : 1; });
@@ -139,7 +139,7 @@ void smooth(std::vector<glm::dvec3>& points, int rounds) {
 }
 
 /// Moves points to the middles of the cross-sections there.
-void centre(std::vector<glm::dvec3>& points, const Region& region, double radius) {
+void centre(std::vector<glm::dvec3>& points, const VoxelRegion& region, double radius) {
   const PathCurve curve(points);
   std::vector<glm::dvec3> moved = points;
   double at = 0.0;
@@ -158,7 +158,7 @@ void centre(std::vector<glm::dvec3>& points, const Region& region, double radius
 
 /// Leads the line on beyond its last point, from middle to middle of the cross-sections, `step` mm each, and where the
 /// region's end cuts those, straight to its surface.
-void leadOut(std::vector<glm::dvec3>& points, const Region& region, double step, double radius) {
+void leadOut(std::vector<glm::dvec3>& points, const VoxelRegion& region, double step, double radius) {
   const glm::dvec3& spacing = region.grid.spacing;
   const double fine = 0.05 * std::min({spacing.x, spacing.y, spacing.z});
   const auto most = static_cast<std::size_t>(8.0 * radius / step) + 8;
@@ -191,7 +191,7 @@ void leadOut(std::vector<glm::dvec3>& points, const Region& region, double step,
 
 }  // namespace
 
-CentreLine centreLineOf(const Region& region) {
+CentreLine centreLineOf(const VoxelRegion& region) {
   CentreLine line;
   const auto any = std::find(region.inside.begin(), region.inside.end(), 1);
   if (any == region.inside.end()) return line;

@@ -21,6 +21,6 @@ struct CentreLine {
 
 /// Empty points where the region has no two voxels that are farther apart than it is thick: it is no tube. Takes some
 /// seconds for a million voxels.
-CentreLine centreLineOf(const Region& region);
+CentreLine centreLineOf(const VoxelRegion& region);
 
 }  // namespace fenestra::reformat

@@ -10,7 +10,7 @@ namespace fenestra::reformat {
 namespace {
 
 /// Keeps the largest 26-connected part.
-void keepLargest(Region& region) {
+void keepLargest(VoxelRegion& region) {
   const glm::ivec3 dims = region.grid.dims;
   std::vector<std::uint32_t> part(region.inside.size(), 0);
   std::vector<std::size_t> waiting;
@@ -48,7 +48,7 @@ void keepLargest(Region& region) {
 /// Squares of a plane about a place, and which of them were reached from it.
 class Squares {
  public:
-  Squares(const Region& region, const PathPlace& place, double side, int half)
+  Squares(const VoxelRegion& region, const PathPlace& place, double side, int half)
       : region_(region),
         place_(place),
         side_(side),
@@ -91,7 +91,7 @@ class Squares {
                   static_cast<std::size_t>(at.x + half_)];
   }
 
-  const Region& region_;
+  const VoxelRegion& region_;
   const PathPlace& place_;
   const double side_;
   const int half_, width_;
@@ -115,7 +115,7 @@ std::optional<glm::ivec2> nearestInside(const Squares& squares, int most) {
 
 }  // namespace
 
-double Region::at(glm::dvec3 point) const {
+double VoxelRegion::at(glm::dvec3 point) const {
   const glm::dvec3 index = toIndex * (point - grid.origin);
   if (!glm::all(glm::greaterThanEqual(index, glm::dvec3(-0.5))) ||
       !glm::all(glm::lessThanEqual(index, glm::dvec3(grid.dims) - 0.5)))
@@ -123,12 +123,12 @@ double Region::at(glm::dvec3 point) const {
   return interpolated(grid, index, [&](glm::ivec3 voxel) { return static_cast<double>(inside[grid.offset(voxel)]); });
 }
 
-Region regionOf(const LabelMap& labels, std::span<const std::uint16_t> values) {
+VoxelRegion regionOf(const LabelMap& labels, std::span<const std::uint16_t> values) {
   std::vector<bool> wanted(65536, false);
   for (const std::uint16_t value : values) wanted[value] = true;
   const Grid& grid = labels.grid;
   glm::ivec3 first = grid.dims, last(-1);
-  Region region;
+  VoxelRegion region;
   labels.voxels.visit([&](auto scalars) {
     const auto isWanted = [&](std::size_t at) { return wanted[static_cast<std::uint16_t>(scalars[at])]; };
     std::size_t at = 0;
@@ -156,7 +156,7 @@ Region regionOf(const LabelMap& labels, std::span<const std::uint16_t> values) {
 
 double Section::radius() const { return std::sqrt(area / std::numbers::pi); }
 
-std::optional<Section> sectionOf(const Region& region, const PathPlace& place, double reach) {
+std::optional<Section> sectionOf(const VoxelRegion& region, const PathPlace& place, double reach) {
   const glm::dvec3& spacing = region.grid.spacing;
   const double side = 0.25 * std::min({spacing.x, spacing.y, spacing.z});
   const int away = static_cast<int>(std::ceil(reach / side));

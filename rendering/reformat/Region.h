@@ -13,7 +13,7 @@
 namespace fenestra::reformat {
 
 /// Voxels in the least box that holds them, with a border of others where the label map goes on.
-struct Region {
+struct VoxelRegion {
   Grid grid;                         ///< of the box
   glm::dmat3 toIndex{1.0};           ///< voxels from mm, of grid
   std::vector<std::uint8_t> inside;  ///< 1 or 0, x fastest
@@ -26,7 +26,7 @@ struct Region {
 
 /// The largest 26-connected part of the voxels with one of `values`; among equal ones the first in memory. Empty where
 /// there are none.
-Region regionOf(const LabelMap& labels, std::span<const std::uint16_t> values);
+VoxelRegion regionOf(const LabelMap& labels, std::span<const std::uint16_t> values);
 
 /// The part of a region's cross-section that is connected with its place of a curve.
 struct Section {
@@ -38,6 +38,6 @@ struct Section {
 
 /// In the plane across the curve at `place`, where that lies in the region or within `reach` mm of it; empty
 /// otherwise. Counted in squares of a quarter of the least voxel's side.
-std::optional<Section> sectionOf(const Region& region, const PathPlace& place, double reach);
+std::optional<Section> sectionOf(const VoxelRegion& region, const PathPlace& place, double reach);
 
 }  // namespace fenestra::reformat

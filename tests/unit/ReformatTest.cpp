@@ -156,7 +156,7 @@ TEST(Straighten, ACrossSectionLiesAcrossTheCurve) {
 }
 
 /// The areas across a line through the middles of a body sum up to the body's volume (Pappus).
-double sumOfAreas(const Region& region, const PathCurve& curve) {
+double sumOfAreas(const VoxelRegion& region, const PathCurve& curve) {
   const int steps = static_cast<int>(curve.length() / 0.5);
   double sum = 0.0;
   for (int i = 0; i < steps; ++i) {
@@ -165,14 +165,14 @@ double sumOfAreas(const Region& region, const PathCurve& curve) {
   }
   return sum;
 }
-double volumeOfRegion(const Region& region) {
+double volumeOfRegion(const VoxelRegion& region) {
   return static_cast<double>(std::count(region.inside.begin(), region.inside.end(), 1)) * region.grid.voxelVolume();
 }
 
 TEST(CentreLine, OfAHelicalTubeHasItsLengthAndRadius) {
   const Helix helix;
   const std::vector<std::uint16_t> values{3};
-  const Region region = regionOf(*tubeLabels(helix), values);
+  const VoxelRegion region = regionOf(*tubeLabels(helix), values);
   const CentreLine line = centreLineOf(region);
   const PathCurve curve(line.points);
   EXPECT_NEAR(curve.length(), helix.length(), 0.005 * helix.length());
@@ -197,7 +197,7 @@ TEST(CentreLine, OfTheAortaAgreesWithItsVolumeAndItsSlices) {
   const auto volume = io::openVolume(folder / "example_ct.nii.gz").volume;
   const auto labels = io::openLabels(folder / "example_seg_fast_force_split.nii.gz", volume->grid).labels;
   const std::vector<std::uint16_t> aorta{52};
-  const Region region = regionOf(*labels, aorta);
+  const VoxelRegion region = regionOf(*labels, aorta);
   const CentreLine line = centreLineOf(region);
   const PathCurve curve(line.points);
   // Sections lose a little of the round ends.
@@ -245,7 +245,7 @@ TEST(CentreLine, OfAStraightTubeThatLeavesTheVolume) {
   const auto labels =
       labelsOf(tests::gridOf({21, 21, 60}), [](glm::ivec3 i) { return std::hypot(i.x - 10, i.y - 10) <= 5.0; });
   const std::vector<std::uint16_t> values{1};
-  const Region region = regionOf(*labels, values);
+  const VoxelRegion region = regionOf(*labels, values);
   const PathCurve curve(centreLineOf(region).points);
   EXPECT_NEAR(curve.length(), 60.0, 0.3);
   for (double mm = 0.0; mm < curve.length(); mm += 1.0) {
@@ -258,10 +258,10 @@ TEST(CentreLine, OfAStraightTubeThatLeavesTheVolume) {
   EXPECT_NEAR(section->area, 81.0, 4.0);
 }
 
-TEST(Region, KeepsTheLargestPart) {
+TEST(ReformatRegion, KeepsTheLargestPart) {
   const auto labels = labelsOf(tests::gridOf({10, 10, 10}), [](glm::ivec3 i) { return i.x < 3 ? 2 : i.x > 5 ? 7 : 0; });
   const std::vector<std::uint16_t> both{2, 7};
-  const Region region = regionOf(*labels, both);
+  const VoxelRegion region = regionOf(*labels, both);
   EXPECT_EQ(std::count(region.inside.begin(), region.inside.end(), 1), 400);
   EXPECT_EQ(region.at({8.0, 5.0, 5.0}), 1.0);
   EXPECT_EQ(region.at({1.0, 5.0, 5.0}), 0.0);
