@@ -97,29 +97,43 @@ void addReading(Command command, io::DataRequest& request, Option phantom) {
 
 }  // namespace
 
-void addVolumeOptions(Command command, io::DataRequest& request, std::function<void()> onSession) {
+void addVolumeOptions(Command command, io::DataRequest& request, std::function<void()> onSession,
+                      std::optional<double>* pixel) {
   command.group("Volume");
   const Option phantom = addSource(command, request, std::move(onSession));
   addSeries(command, request, phantom);
   addRaw(command, request, phantom);
   addReading(command, request, phantom);
   // --raw has been read by now.
-  command
-      .add("--spacing", "X,Y,Z", "mm between the voxels of --raw, or of a TIFF stack",
-           [&request](const std::string& text) {
-             const std::optional<glm::dvec3> spacing = parseVector(text);
-             if (!spacing || !glm::all(glm::greaterThan(*spacing, glm::dvec3(0.0)))) return false;
-             // Which format a file has is known when it is read.
-             std::error_code unknown;
-             if (!request.raw && !std::filesystem::exists(request.path, unknown))
-               throw WrongValue{"needs --raw, or a stack of TIFF as PATH"};
-             if (request.raw)
-               request.raw->spacing = *spacing;
-             else
-               request.spacing = *spacing;
-             return true;
-           })
-      .excludes(phantom);
+  const auto takeVoxels = [&request](const std::string& text) {
+    const std::optional<glm::dvec3> spacing = parseVector(text);
+    if (!spacing || !glm::all(glm::greaterThan(*spacing, glm::dvec3(0.0)))) return false;
+    // Which format a file has is known when it is read.
+    std::error_code unknown;
+    if (!request.raw && !std::filesystem::exists(request.path, unknown))
+      throw WrongValue{"needs --raw, or a stack of TIFF as PATH"};
+    if (request.raw)
+      request.raw->spacing = *spacing;
+    else
+      request.spacing = *spacing;
+    return true;
+  };
+  const std::string ofVoxels = "mm between the voxels of --raw, or of a TIFF stack";
+  if (!pixel) {
+    command.add("--spacing", "X,Y,Z", ofVoxels, takeVoxels).excludes(phantom);
+  } else {
+    const auto take = [=](const std::vector<std::string>& texts) {
+      for (const std::string& text : texts) {
+        if (const std::optional<double> mm = parseNumber<double>(text)) {
+          if (!(*mm > 0.0)) throw WrongValue{"\"" + text + "\" is no size of a pixel: it must be above 0"};
+          *pixel = mm;
+        } else if (!takeVoxels(text)) {
+          throw WrongValue{"\"" + text + "\" is not of the form MM or X,Y,Z, numbers above 0"};
+        }
+      }
+    };
+    command.addRepeated("--spacing", "MM|X,Y,Z", "MM: of the picture's square pixels; X,Y,Z: " + ofVoxels, take);
+  }
   command.group("Options");
 }
 

@@ -101,4 +101,12 @@ void addSceneOptions(Command command, io::StudyRequest& request, std::function<v
   command.group("Options");
 }
 
+void addFocusOptions(Command command, io::StudyRequest& request, std::optional<double>* pixel) {
+  addVolumeOptions(
+      command, request, [&request] { request.startFrom(io::readSession(request.path)); }, pixel);
+  command.group("Focus");
+  addFocus(command, request);
+  command.group("Options");
+}
+
 }  // namespace fenestra::app

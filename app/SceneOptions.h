@@ -3,6 +3,7 @@
 // io::readStudy takes.
 
 #include <functional>
+#include <optional>
 
 #include "app/options/Options.h"
 #include "io/study/StudyRequest.h"
@@ -14,5 +15,9 @@ namespace fenestra::app {
 /// own options, added later, in the same way. `request` must outlive `command`.
 void addSceneOptions(Command command, io::StudyRequest& request,
                      std::function<void(const io::Session&)> onSession = {});
+
+/// Adds those of addVolumeOptions and the labels and focus in StudyRequest alone, with a session as above. `pixel`: see
+/// addVolumeOptions.
+void addFocusOptions(Command command, io::StudyRequest& request, std::optional<double>* pixel = nullptr);
 
 }  // namespace fenestra::app

@@ -269,18 +269,20 @@ std::string niftiHeader(const Grid& grid, ScalarType type, const NrrdOptions&) {
   return bytes.append(noExtension);
 }
 
-}  // namespace
+using MakeHeader = std::string (*)(const Grid&, ScalarType, const NrrdOptions&);
 
-void writeVolume(const Volume& volume, const fs::path& path, const NrrdOptions& options) {
+/// By the file name's ending.
+MakeHeader headerOf(const fs::path& path) {
   const std::string name = lowered(path.filename().string());
-  using MakeHeader = std::string (*)(const Grid&, ScalarType, const NrrdOptions&);
-  MakeHeader makeHeader = nullptr;
-  if (name.ends_with(".mha")) makeHeader = metaImageHeader;
-  if (name.ends_with(".nii") || name.ends_with(".nii.gz")) makeHeader = niftiHeader;
-  if (name.ends_with(".nrrd")) makeHeader = nrrdHeader;
-  if (!makeHeader)
-    throw Error(path, "has an ending that names no volume format", "end it in .mha, .nii.gz, .nii or .nrrd");
-  const ScalarType type = narrowestType(volume);
+  if (name.ends_with(".mha")) return metaImageHeader;
+  if (name.ends_with(".nii") || name.ends_with(".nii.gz")) return niftiHeader;
+  if (name.ends_with(".nrrd")) return nrrdHeader;
+  throw Error(path, "has an ending that names no volume format", "end it in .mha, .nii.gz, .nii or .nrrd");
+}
+
+void write(const Volume& volume, const fs::path& path, ScalarType type, const NrrdOptions& options) {
+  const std::string name = lowered(path.filename().string());
+  const MakeHeader makeHeader = headerOf(path);
   writeAtomically(path, [&](const fs::path& temporary) {
     std::optional<Output> output(std::in_place, temporary,
                                  name.ends_with(".gz") ? Output::Mode::Gzip : Output::Mode::Plain);
@@ -294,5 +296,14 @@ void writeVolume(const Volume& volume, const fs::path& path, const NrrdOptions& 
     output->close();
   });
 }
+
+}  // namespace
+
+void writeVolume(const Volume& volume, const fs::path& path, const NrrdOptions& options) {
+  headerOf(path);  // before the look at all voxels
+  write(volume, path, narrowestType(volume), options);
+}
+
+void writeFloats(const Volume& volume, const fs::path& path) { write(volume, path, ScalarType::Float32, {}); }
 
 }  // namespace fenestra::io

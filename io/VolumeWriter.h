@@ -21,5 +21,7 @@ struct NrrdOptions {
 /// by the file name's ending. `options` are for .nrrd alone. Written beside and
 /// renamed: never half a file. Throws Error.
 void writeVolume(const Volume& volume, const std::filesystem::path& path, const NrrdOptions& options = {});
+/// As writeVolume(), but always float32, which keeps what is no number.
+void writeFloats(const Volume& volume, const std::filesystem::path& path);
 
 }  // namespace fenestra::io

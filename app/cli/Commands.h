@@ -11,7 +11,7 @@
 #include "rendering/gpu/Schedule.h"
 #include "rendering/placement/Placer.h"
 #include "rendering/segmentation/RegionGrowing.h"
-#include "rendering/volume/Slice.h"
+#include "rendering/volume/Slab.h"
 
 namespace fenestra::cli {
 
@@ -29,13 +29,19 @@ struct ConvertOptions {
 void convert(const ConvertOptions& options);
 
 struct SliceOptions {
-  io::DataRequest data;
+  io::StudyRequest study;  ///< its focus is read for `facing` alone; its size is the picture's, pixels
   SlicePlane plane = SlicePlane::Axial;
   std::optional<double> at;  ///< mm along S, L or P; the middle slice when neither is given
   std::optional<int> index;
+  std::optional<glm::dvec3> normal;      ///< unit, LPS
+  std::optional<io::PlacedView> facing;  ///< the camera that the slice faces
+  std::optional<glm::dvec3> through;     ///< world mm
+  std::optional<double> spacing;         ///< mm, of square pixels
+  Slab slab;                             ///< of thickness 0: the slice alone
   std::optional<double> width, level;
-  std::filesystem::path output;
+  std::filesystem::path output;  ///< .mha: real values; else a PNG
 };
+/// Writes a slice or a slab; prints where it lies as JSON. Needs OpenGL where a camera must be placed.
 void slice(const SliceOptions& options);
 
 struct MeasureOptions {
@@ -44,6 +50,20 @@ struct MeasureOptions {
 };
 /// Prints volume, values and place of each label as JSON.
 void measure(const MeasureOptions& options);
+
+struct ReformatOptions {
+  io::StudyRequest study;         ///< its focus is the structure to follow, or to measure along the path
+  std::filesystem::path path;     ///< file of points; empty: the centre line of the focus
+  std::optional<double> spacing;  ///< mm, of square pixels; the least of the volume's otherwise
+  double width = 50.0;            ///< mm
+  double angle = 0.0;             ///< degrees
+  std::optional<double> section;  ///< mm from the path's beginning; unset: the straightened volume
+  std::optional<double> windowWidth, level;
+  std::filesystem::path output;  ///< .mha: real values; else a PNG
+};
+/// Writes the volume straightened along a path, or a section across it; prints the path's length, and the area and
+/// radius of the focus along it, as JSON.
+void reformat(const ReformatOptions& options);
 
 struct SurfaceOptions {
   io::StudyRequest study;

@@ -1,14 +1,12 @@
-// info, convert, measure, slice and surface: commands on a volume and its labels, without a picture in 3-D.
+// info, convert, measure and surface: commands on a volume and its labels, without a picture in 3-D.
 
 #include "app/cli/Commands.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include <nlohmann/json.hpp>
 
 #include "app/cli/Report.h"
-#include "io/ImageWriter.h"
 #include "io/LabelWriter.h"
 #include "io/VolumeWriter.h"
 #include "io/base/Text.h"
@@ -81,18 +79,6 @@ const char* nameOf(io::Warning::Kind kind) {
       break;
   }
   return "other";
-}
-
-const char* nameOf(SlicePlane plane) {
-  switch (plane) {
-    case SlicePlane::Axial:
-      return "axial";
-    case SlicePlane::Sagittal:
-      return "sagittal";
-    case SlicePlane::Coronal:
-      break;
-  }
-  return "coronal";
 }
 
 Json describe(const io::SeriesInfo& series, bool descriptions) {
@@ -258,40 +244,6 @@ void surface(const SurfaceOptions& options) {
                  {"volume_ml", surface.volume() / 1000.0},
                  {"box_lps", {list(low), list(high)}},
                  {"frame", options.frame == io::SurfaceFrame::Ras ? "ras" : "lps"}});
-}
-
-void slice(const SliceOptions& options) {
-  const io::Study study = io::openData(options.data, progressOnTerminal());
-  printWarnings(study.warnings);
-  const Volume& volume = *study.scene.volume;
-  const SliceGeometry geometry = sliceGeometry(volume.grid, options.plane);
-  int index = geometry.count / 2;
-  if (options.at) index = geometry.sliceAt(*options.at);
-  if (options.index) index = *options.index;
-  if (index < 0 || index >= geometry.count)
-    throw io::Error(options.data.source(),
-                    "there is no " + std::string(nameOf(options.plane)) + " slice " + std::to_string(index),
-                    "slices run from 0 to " + std::to_string(geometry.count - 1));
-  WindowLevel window = volume.defaultWindow();
-  window.width = options.width.value_or(window.width);
-  window.level = options.level.value_or(window.level);
-
-  const std::vector<std::uint8_t> grey = windowed(sliceValues(volume, geometry, index), window, volume.lowIsWhite);
-  io::writePng(options.output, {geometry.width, geometry.height}, 1, grey);
-  printJson(Json{
-      {"plane", nameOf(options.plane)},
-      {"slice", index},
-      {"slices", geometry.count},
-      {"size", {geometry.width, geometry.height}},
-      {"pixel_spacing", {glm::length(geometry.right), glm::length(geometry.down)}},
-      {"centre", list(geometry.worldFromPixel(0.5 * (geometry.width - 1), 0.5 * (geometry.height - 1), index))},
-      {"edges",
-       {{"left", orientationLetters(-geometry.right)},
-        {"right", orientationLetters(geometry.right)},
-        {"top", orientationLetters(-geometry.down)},
-        {"bottom", orientationLetters(geometry.down)}}},
-      {"window", {{"width", window.width}, {"level", window.level}}},
-  });
 }
 
 }  // namespace fenestra::cli

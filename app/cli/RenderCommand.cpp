@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/ScheduleChoice.h"
+#include "app/cli/PlacedCamera.h"
 #include "app/cli/ReadBesideContext.h"
 #include "app/cli/Report.h"
 #include "io/ImageWriter.h"
@@ -23,7 +24,6 @@
 #include "rendering/Renderer.h"
 #include "rendering/egl/EglContext.h"
 #include "rendering/gpu/GpuScene.h"
-#include "rendering/placement/Placer.h"
 #include "rendering/reference/Picture.h"
 
 namespace fenestra::cli {
@@ -143,17 +143,6 @@ Json statistics(const std::string& description, const View& view, const Renderer
   };
 }
 
-/// The best view or its complement among the default candidates, in the projection that the view has.
-Camera placedCamera(const fs::path& source, io::Study& study, GpuScene& gpuScene) {
-  const Scene& scene = study.drawn.scene();
-  placement::Placer placer;
-  const placement::Measured& measured = placer.measure(gpuScene, scene, {}, {});
-  const placement::Placement placement = placement::choose(measured, {}, placement::jointByDefault);
-  const std::optional<std::size_t> chosen = *study.placed == io::PlacedView::Best ? placement.c1 : placement.c2;
-  if (!chosen) throw io::Error(source, placement.note, placementHint);
-  return Camera::fromDirection(measured.candidates[*chosen].direction, visibleOf(study), study.view->camera.projection);
-}
-
 /// With the data's contents.
 io::Session sessionToSave(const io::Study& study) {
   io::Session session = io::sessionOf(study);
@@ -180,7 +169,7 @@ void render(const RenderOptions& options) {
   View& view = *study.view;
   const auto gpuScene = context ? std::make_shared<GpuScene>() : nullptr;
   if (context) app::chooseSchedule(options.schedule, gpuScene, scene, view);
-  if (study.placed) view.camera = placedCamera(options.study.source(), study, *gpuScene);
+  if (study.placed) view.camera = placedCamera(options.study.source(), study, *gpuScene, *study.placed);
   io::Session session;
   if (!options.session.empty() || options.certify) session = sessionToSave(study);
   if (!options.session.empty()) io::writeSession(options.session, session);

@@ -22,7 +22,9 @@
 #include "app/cli/Commands.h"
 #include "app/cli/DeidentifyCommand.h"
 #include "app/cli/PlacementOptions.h"
+#include "app/cli/ReformatOptions.h"
 #include "app/cli/Report.h"
+#include "app/cli/SliceOptions.h"
 #include "app/options/Completion.h"
 #include "app/options/Numbers.h"
 #include "rendering/egl/EglContext.h"
@@ -129,20 +131,18 @@ Runnable addSurface(app::Program& program, SurfaceOptions& options) {
 
 Runnable addSlice(app::Program& program, SliceOptions& options) {
   const app::Command command =
-      program.addCommand("slice", "one slice as PNG, a pixel a voxel, radiological convention");
-  app::addVolumeOptions(command, options.data);
-  app::addChoice<SlicePlane>(
-      command, "--plane", "default axial",
-      {{"axial", SlicePlane::Axial}, {"sagittal", SlicePlane::Sagittal}, {"coronal", SlicePlane::Coronal}},
-      options.plane);
-  const app::Option at = command.addValue("--at", options.at, "mm along S (axial), L (sagittal) or P (coronal)");
-  command.addValue("--index", options.index, "slice number, growing the same way; the middle one otherwise")
-      .excludes(at);
-  command.addValue("--window", options.width, "width of the display window; the file's own otherwise").positive();
-  command.addValue("--level", options.level, "centre of the display window");
-  command.addValue("-o,--output", options.output, "PNG to write").required().as("FILE");
+      program.addCommand("slice", "a slice in any direction, or a slab, as PNG or as real values; its place as JSON");
+  addSliceOptions(command, options);
   command.atLast([command] { requireSource(command); });
-  return {command, &options.data, [&] { return slice(options), true; }};
+  return {command, &options.study, [&] { return slice(options), true; }};
+}
+
+Runnable addReformat(app::Program& program, ReformatOptions& options) {
+  const app::Command command = program.addCommand(
+      "reformat", "the volume straightened along a path or a vessel, or cut across it; length and areas as JSON");
+  addReformatOptions(command, options);
+  command.atLast([command] { requireSource(command); });
+  return {command, &options.study, [&] { return reformat(options), true; }};
 }
 
 /// What render writes, and how it draws.
@@ -271,6 +271,7 @@ int main(int argc, char** argv) {
   ConvertOptions convertOptions;
   MeasureOptions measureOptions;
   SliceOptions sliceOptions;
+  ReformatOptions reformatOptions;
   SurfaceOptions surfaceOptions;
   RenderOptions renderOptions;
   PlaceOptions placeOptions;
@@ -279,12 +280,19 @@ int main(int argc, char** argv) {
   CompareOptions compareOptions;
   ArchiveOptions archiveOptions;
   DeidentifyOptions deidentifyOptions;
-  const std::array commands{addInfo(program, infoOptions),       addConvert(program, convertOptions),
-                            addMeasure(program, measureOptions), addSlice(program, sliceOptions),
-                            addRender(program, renderOptions),   addPlace(program, placeOptions),
-                            addGrow(program, growOptions),       addSurface(program, surfaceOptions),
-                            addCompare(program, compareOptions), addBenchmark(program, benchmarkOptions),
-                            addArchive(program, archiveOptions), addDeidentify(program, deidentifyOptions)};
+  const std::array commands{addInfo(program, infoOptions),
+                            addConvert(program, convertOptions),
+                            addMeasure(program, measureOptions),
+                            addSlice(program, sliceOptions),
+                            addReformat(program, reformatOptions),
+                            addRender(program, renderOptions),
+                            addPlace(program, placeOptions),
+                            addGrow(program, growOptions),
+                            addSurface(program, surfaceOptions),
+                            addCompare(program, compareOptions),
+                            addBenchmark(program, benchmarkOptions),
+                            addArchive(program, archiveOptions),
+                            addDeidentify(program, deidentifyOptions)};
   try {
     const app::Program::Parsed parsed = program.parse(argc, argv);
     if (parsed.exitCode) return *parsed.exitCode;

@@ -73,4 +73,42 @@ SliceGeometry obliqueGeometry(const Grid& grid, SlicePlane plane, const PlaneAxe
   return geometry;
 }
 
+SlicePlane nearestPlane(const Grid& grid, glm::dvec3 normal) {
+  SlicePlane nearest = SlicePlane::Axial;
+  double most = -1.0;
+  for (const SlicePlane plane : {SlicePlane::Axial, SlicePlane::Coronal, SlicePlane::Sagittal}) {
+    const double along = std::abs(glm::dot(normal, planeAxes(grid, plane).normal));
+    // Between two of them, rounding does not decide.
+    if (along > most * (1.0 + 1e-9)) {
+      nearest = plane;
+      most = along;
+    }
+  }
+  return nearest;
+}
+
+PlaneAxes planeAxes(const Grid& grid, glm::dvec3 normal) {
+  const PlaneAxes near = planeAxes(grid, nearestPlane(grid, normal));
+  PlaneAxes axes;
+  axes.normal = glm::normalize(glm::dot(normal, near.normal) < 0.0 ? -normal : normal);
+  axes.down = glm::normalize(near.down - glm::dot(near.down, axes.normal) * axes.normal);
+  axes.right = glm::normalize(glm::cross(axes.down, axes.normal));
+  if (glm::dot(axes.right, near.right) < 0.0) axes.right = -axes.right;
+  return axes;
+}
+
+SliceGeometry sliceAround(SlicePlane plane, const PlaneAxes& axes, glm::dvec3 centre, glm::ivec2 size, double pixel) {
+  SliceGeometry geometry;
+  geometry.plane = plane;
+  geometry.axis = -1;
+  geometry.count = 1;
+  geometry.width = size.x;
+  geometry.height = size.y;
+  geometry.right = axes.right * pixel;
+  geometry.down = axes.down * pixel;
+  geometry.normal = axes.normal * pixel;
+  geometry.origin = centre - 0.5 * (size.x - 1) * geometry.right - 0.5 * (size.y - 1) * geometry.down;
+  return geometry;
+}
+
 }  // namespace fenestra

@@ -31,4 +31,14 @@ double voxelLength(const Grid& grid, glm::dvec3 direction);
 SliceGeometry obliqueGeometry(const Grid& grid, SlicePlane plane, const PlaneAxes& axes, glm::dvec3 through,
                               std::optional<double> pixel = {});
 
+/// The anatomical plane whose slices a direction (not zero) is most nearly perpendicular to.
+SlicePlane nearestPlane(const Grid& grid, glm::dvec3 normal);
+
+/// Axes of the planes perpendicular to `normal` (not zero), seen as those of nearestPlane() are: the picture's down is
+/// theirs, projected onto the plane, and its handedness theirs, so that the normal's sign has no effect.
+PlaneAxes planeAxes(const Grid& grid, glm::dvec3 normal);
+
+/// One slice of so many square pixels of `pixel` mm, in the middle of which `centre` (LPS, mm) lies.
+SliceGeometry sliceAround(SlicePlane plane, const PlaneAxes& axes, glm::dvec3 centre, glm::ivec2 size, double pixel);
+
 }  // namespace fenestra
