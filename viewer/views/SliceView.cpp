@@ -141,7 +141,8 @@ void SliceView::setGeometry(const SliceGeometry& geometry, glm::dvec3 kept) {
   const QPointF before = widgetFromWorld(kept);
   geometry_ = geometry;
   slice_ = cursor_.slice(geometry_);
-  centre_ += (widgetFromWorld(kept) - before) / pixelsPerMm();
+  // A view of no size has no scale.
+  if (const double scale = pixelsPerMm(); scale > 0.0) centre_ += (widgetFromWorld(kept) - before) / scale;
 }
 
 void SliceView::followPlane() {
@@ -153,7 +154,7 @@ void SliceView::followPlane() {
 
 SliceView::Picture SliceView::wantedPicture() const {
   const Slab slab = planes_.pose(geometry_.plane).slab;
-  if (!planes_.isTurned(geometry_.plane)) return {geometry_, slice_, {}, slab};
+  if (!planes_.isTurned(geometry_.plane) || !(pixelsPerMm() > 0.0)) return {geometry_, slice_, {}, slab};
   // A turned slice costs an interpolation a pixel, so it is made of those in sight. While it moves, fewer.
   const double voxel = glm::length(geometry_.right), scale = pixelsPerMm();
   const double coarser = planes_.isMoving(geometry_.plane) ? 2.0 : 1.0;
