@@ -82,7 +82,7 @@ std::vector<Alteration> alterations() {
          s.state.isDraft = true;
          s.state.scale = 0.5;
        },
-       "50 % of the size"},
+       "50 % of the size", true, true},
       {"no bound", [](Shown& s) { s.state.maxError.reset(); }, "no bound (quality: normal)"},
       {"joined voxels", [](Shown& s) { s.state.reduction = QStringLiteral("2×2×2 voxels as one"); }, "2×2×2"},
       {"spline", [](Shown& s) { s.scene.look.reconstruction = Reconstruction::Smooth; }, "smoothed between voxels"},

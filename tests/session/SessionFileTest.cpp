@@ -167,6 +167,10 @@ TEST(SessionFile, TheSchemaRefusesWhatTheReaderRefuses) {
       {"/volume/raw/dims", Json{1, 2, 3, 4}},
       {"/volume/raw/type", "int64"},
       {"/placement/samples", 1e6},
+      {"/planes", Json::array()},
+      {"/planes/0/slab/thickness", 101},
+      {"/planes/1/axes/right/0", 2},
+      {"/planes/2/follow", "C3"},
       {"/focus", 3},
       {"/focus", {{"inside", Json::array({Json{1, 2}})}}},
       {"/focus", {{"inside", Json::array({Json{1, 2, 3}})}, {"tolerance", -1}}},
@@ -185,6 +189,13 @@ TEST(SessionFile, TheSchemaRefusesWhatTheReaderRefuses) {
     EXPECT_TRUE(std::any_of(mistakes.begin(), mistakes.end(), [&](const std::string& mistake) {
       return mistake.starts_with(files[i].string() + ": /");
     })) << wrong[i].first;
+}
+
+TEST(SessionFile, RefusesAxesOfASliceThatAreNotPerpendicular) {
+  io::Session session = fullSession(scratchFolder());
+  session.planes[1].axes->down = {0.0, 0.6, -0.8};
+  const std::string said = errorOf([&] { io::readSession(saved(session)); });
+  EXPECT_NE(said.find("no perpendicular unit vectors"), std::string::npos) << said;
 }
 
 TEST(SessionFile, KeepsWhatItDoesNotKnowAtEveryLevel) {
@@ -241,6 +252,7 @@ TEST(SessionFile, OpensAnOlderVersion) {
   EXPECT_EQ(session.home[1], session.views[1].camera);
   EXPECT_EQ(session.look.focus, Focus(LabelFocus{{3, 5}}));
   EXPECT_EQ(session.views[0].size, io::SessionView().size) << "it had no size";
+  EXPECT_EQ(session.planes, (std::array<io::SessionPlane, 3>())) << "its slices were the volume's own";
   const fs::path file = saved(session);
   const Json written = Json::parse(readFile(file));
   EXPECT_EQ(written["version"], io::sessionVersion);

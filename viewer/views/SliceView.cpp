@@ -143,7 +143,8 @@ void SliceView::setGeometry(const SliceGeometry& geometry, glm::dvec3 kept) {
   const QPointF before = widgetFromWorld(kept);
   geometry_ = geometry;
   slice_ = cursor_.slice(geometry_);
-  centre_ += mmOfMove(widgetFromWorld(kept) - before);
+  // A view of no size has no scale.
+  if (pixelsPerMm() > 0.0) centre_ += mmOfMove(widgetFromWorld(kept) - before);
 }
 
 void SliceView::followPlane() {
@@ -155,7 +156,7 @@ void SliceView::followPlane() {
 
 SliceView::Picture SliceView::wantedPicture() const {
   const Slab slab = planes_.pose(geometry_.plane).slab;
-  if (!planes_.isTurned(geometry_.plane)) return {geometry_, slice_, {}, slab};
+  if (!planes_.isTurned(geometry_.plane) || !(pixelsPerMm() > 0.0)) return {geometry_, slice_, {}, slab};
   // A turned slice costs an interpolation a pixel, so it is made of those in sight. While it moves, fewer.
   const double voxel = glm::length(geometry_.right), scale = pixelsPerMm();
   const double coarser = planes_.isMoving(geometry_.plane) ? 2.0 : 1.0;
