@@ -78,6 +78,7 @@ class Conventions : public Window {
   TransferFunctionPlot& plot() { return panel<AppearancePanel>().editor().plot(); }
   MeasureMode& measuring() { return window_->workspace().measuring; }
   Cases menuCases();
+  void addStudyCases(Cases& cases);
   void addFileAndEditCases(Cases& cases);
   void addViewCases(Cases& cases);
   void addLayoutCases(Cases& cases);
