@@ -79,6 +79,7 @@ class Conventions : public Window {
   MeasureMode& measuring() { return window_->workspace().measuring; }
   SlicePlanes& planes() { return window_->workspace().planes; }
   Cases menuCases();
+  void addStudyCases(Cases& cases);
   void addFileAndEditCases(Cases& cases);
   void addViewCases(Cases& cases);
   void addLayoutCases(Cases& cases);

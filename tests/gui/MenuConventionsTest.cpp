@@ -19,26 +19,7 @@
 
 namespace fenestra::viewer {
 
-void Conventions::addFileAndEditCases(Cases& cases) {
-  for (const char* keys : {"Ctrl+Shift+O", "Ctrl+O", "Ctrl+L", "Ctrl+E", "?"})
-    cases[keys] = [this, keys] { expectDialog(keys); };
-  for (const char* keys : {"Ctrl+S", "Ctrl+Shift+S"})
-    cases[keys] = [this, keys] {
-      int asked = 0;
-      window_->sessions().questions().saveWhere = [&](const std::filesystem::path&) {
-        ++asked;
-        return std::optional<std::filesystem::path>();
-      };
-      press(keys);
-      EXPECT_EQ(asked, 1);
-    };
-  cases["F1"] = [this] {
-    press("F1");
-    ASSERT_NE(window_->guide().window(), nullptr);
-    EXPECT_TRUE(window_->guide().window()->isVisible());
-    window_->guide().window()->close();
-    QApplication::setActiveWindow(window_.get());
-  };
+void Conventions::addStudyCases(Cases& cases) {
   cases["Ctrl+PgDown"] = cases["Ctrl+PgUp"] = [this] {
     const std::filesystem::path folder = tests::scratchFolder() / "two series";
     std::filesystem::create_directories(folder);
@@ -69,6 +50,28 @@ void Conventions::addFileAndEditCases(Cases& cases) {
     EXPECT_FALSE(document().hasVolume());
     EXPECT_TRUE(window_->findChild<WelcomePage*>()->isVisible());
     open(markedBall());
+  };
+}
+
+void Conventions::addFileAndEditCases(Cases& cases) {
+  for (const char* keys : {"Ctrl+Shift+O", "Ctrl+O", "Ctrl+L", "Ctrl+E", "?"})
+    cases[keys] = [this, keys] { expectDialog(keys); };
+  for (const char* keys : {"Ctrl+S", "Ctrl+Shift+S"})
+    cases[keys] = [this, keys] {
+      int asked = 0;
+      window_->sessions().questions().saveWhere = [&](const std::filesystem::path&) {
+        ++asked;
+        return std::optional<std::filesystem::path>();
+      };
+      press(keys);
+      EXPECT_EQ(asked, 1);
+    };
+  cases["F1"] = [this] {
+    press("F1");
+    ASSERT_NE(window_->guide().window(), nullptr);
+    EXPECT_TRUE(window_->guide().window()->isVisible());
+    window_->guide().window()->close();
+    QApplication::setActiveWindow(window_.get());
   };
   cases["Ctrl+C"] = [this] {
     QGuiApplication::clipboard()->clear();
@@ -234,6 +237,7 @@ void Conventions::addViewCases(Cases& cases) {
 
 Conventions::Cases Conventions::menuCases() {
   Cases cases;
+  addStudyCases(cases);
   addFileAndEditCases(cases);
   addViewCases(cases);
   // The windows of product conventions, width and level.

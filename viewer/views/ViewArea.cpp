@@ -116,13 +116,14 @@ bool ViewArea::isSettled() const {
 }
 
 bool ViewArea::isPreparing() const {
-  return std::any_of(volumes_.begin(), volumes_.end(),
-                     [](const VolumeView* view) { return view->lateness().isLate() && !view->awaitsOthers(); });
+  return std::any_of(volumes_.begin(), volumes_.end(), [](const VolumeView* view) {
+    return view->isVisible() && view->lateness().isLate() && !view->awaitsOthers();
+  });
 }
 
 void ViewArea::takeBackWhatIsAwaited() {
   for (VolumeView* view : volumes_)
-    if (view->lateness().isLate()) view->takeBackWhatIsAwaited();
+    if (view->isVisible() && view->lateness().isLate()) view->takeBackWhatIsAwaited();
 }
 
 void ViewArea::setAwaits(bool awaits) {
@@ -163,6 +164,7 @@ void ViewArea::showViews() {
         break;
       }
   Q_EMIT arranged();
+  Q_EMIT lateChanged();  // a view that is late may be out of sight now
 }
 
 void ViewArea::showNeighbour(int step) {
