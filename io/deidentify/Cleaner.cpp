@@ -116,7 +116,9 @@ Action Cleaner::unlisted(DcmElement& element, Within within) const {
   if (key.isPrivate() || (standard == EVR_UNKNOWN && key.getElement() != 0)) return Action::Remove;
   if (key == DCM_RETIRED_LengthToEnd) return Action::Remove;  // it would be wrong now
   if (key.getGroup() == pixelGroup) return Action::Keep;
-  if (isUnknown(vr)) return standard == EVR_SQ || isText(standard) ? Action::Remove : Action::Keep;
+  // Neither examined nor cleaned: a text that the file codes as bytes, a sequence whose items stayed unread.
+  if ((isText(standard) && !isText(vr)) || (standard == EVR_SQ && vr != EVR_SQ)) return Action::Remove;
+  if (isUnknown(vr)) return Action::Keep;
   if (vr == EVR_UI) return namesKind(key) || options_.retainUids ? Action::Keep : Action::NewUid;
   if (vr == EVR_SQ) return within == Within::Dummy && !isStructure(key) ? Action::Dummy : Action::Clean;
   if (vr == EVR_PN) return Action::Empty;

@@ -6,10 +6,15 @@
 namespace fenestra::io::deidentify {
 namespace {
 
+/// Where a value cannot be replaced, because the file gives it a form that its VR does not have, it goes.
+void replaceOrClear(DcmElement& element, const OFCondition& replaced) {
+  if (replaced.bad()) element.clear();
+}
+
 /// A value of zeros.
 void zero(DcmElement& element, std::size_t bytes) {
   const std::array<Uint8, 8> zeros{};
-  element.putUint8Array(zeros.data(), static_cast<unsigned long>(bytes));
+  replaceOrClear(element, element.putUint8Array(zeros.data(), static_cast<unsigned long>(bytes)));
 }
 
 }  // namespace
@@ -30,7 +35,7 @@ std::string textIn(DcmElement& element) {
 }
 
 void setText(DcmElement& element, const std::string& text) {
-  element.putString(text.c_str(), static_cast<Uint32>(text.size()));
+  replaceOrClear(element, element.putString(text.c_str(), static_cast<Uint32>(text.size())));
 }
 
 void makeDummy(DcmElement& element) {
@@ -57,22 +62,14 @@ void makeDummy(DcmElement& element) {
     case EVR_FL:
     case EVR_FD:
       return setText(element, "0");
+    case EVR_OL:
+      return replaceOrClear(element, element.putUint32Array(std::array<Uint32, 1>{}.data(), 1));
     case EVR_OF:
-    case EVR_OL: {
-      constexpr std::array<Uint32, 1> none{};
-      if (element.ident() == EVR_OL)
-        element.putUint32Array(none.data(), 1);
-      else
-        element.putFloat32Array(std::array<Float32, 1>{}.data(), 1);
-      return;
-    }
+      return replaceOrClear(element, element.putFloat32Array(std::array<Float32, 1>{}.data(), 1));
     case EVR_OD:
-      element.putFloat64Array(std::array<Float64, 1>{}.data(), 1);
-      return;
-    case EVR_OW: {
-      element.putUint16Array(std::array<Uint16, 1>{}.data(), 1);
-      return;
-    }
+      return replaceOrClear(element, element.putFloat64Array(std::array<Float64, 1>{}.data(), 1));
+    case EVR_OW:
+      return replaceOrClear(element, element.putUint16Array(std::array<Uint16, 1>{}.data(), 1));
     default:
       if (isText(element.ident()))
         setText(element, dummyText);

@@ -18,6 +18,7 @@ bool isTemporal(DcmEVR vr);  ///< DA, TM, DT
 std::string textIn(DcmElement& element);
 /// Replaces all values by one dummy of the VR, which has a length (PS3.15 table E.1-1a, D); an empty element stays.
 void makeDummy(DcmElement& element);
+/// Replaces the value; an element that takes no text becomes empty.
 void setText(DcmElement& element, const std::string& text);
 
 /// UIDs that name a kind of object, coding or scheme, and no instance; they say nothing about a person.

@@ -193,7 +193,7 @@ class DeidentifyTable : public ::testing::Test {
 TEST_F(DeidentifyTable, HoldsEachRowOnce) {
   std::set<std::uint32_t> tags;
   std::size_t dates = 0, uids = 0, descriptors = 0, graphics = 0;
-  for (const Row& row : rows()) {
+  for (const Row& row : io::deidentify::rows()) {
     EXPECT_TRUE(tags.insert(row.tag).second) << row.keyword;
     dates += row.dates;
     uids += row.uids;
@@ -210,7 +210,7 @@ TEST_F(DeidentifyTable, HoldsEachRowOnce) {
 }
 
 TEST_F(DeidentifyTable, NamesAttributesThatTheDictionaryKnows) {
-  for (const Row& row : rows()) {
+  for (const Row& row : io::deidentify::rows()) {
     if (row.mask != ~0u || newerThanTheDictionary().contains(row.tag)) continue;
     DcmTag tag(keyOf(row));
     EXPECT_TRUE(tag.error().good()) << row.keyword;
@@ -223,14 +223,14 @@ TEST_F(DeidentifyTable, NamesAttributesThatTheDictionaryKnows) {
 TEST_F(DeidentifyTable, EachRowIsDoneAtTheTop) {
   for (const auto& [name, options] : allOptions()) {
     SCOPED_TRACE(name);
-    for (const Row& row : rows()) checkRow(row, options, stay);
+    for (const Row& row : io::deidentify::rows()) checkRow(row, options, stay);
   }
 }
 
 TEST_F(DeidentifyTable, EachRowIsDoneDeepInside) {
   for (const auto& [name, options] : allOptions()) {
     SCOPED_TRACE(name);
-    for (const Row& row : rows()) checkRow(row, options, below);
+    for (const Row& row : io::deidentify::rows()) checkRow(row, options, below);
   }
 }
 
