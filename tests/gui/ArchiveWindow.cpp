@@ -59,13 +59,18 @@ QModelIndex ArchiveWindow::find(const QString& text) {
 
 void ArchiveWindow::waitFor(int retrieval, Retrievals::State state) {
   ASSERT_NE(retrieval, 0);
-  const auto reached = [&] { return retrievals().find(retrieval)->state == state; };
+  // The list follows once the worker has ended.
+  const auto reached = [&] {
+    const Retrievals::Item& item = *retrievals().find(retrieval);
+    return item.state == state && (state == Retrievals::State::Running || !item.job);
+  };
   ASSERT_TRUE(QTest::qWaitFor(reached, patience)) << retrievals().find(retrieval)->message.toStdString();
 }
 
 QString ArchiveWindow::shown() {
   QStringList texts;
   for (const QWidget* each : dock().findChildren<QWidget*>()) {
+    if (!each->isVisibleTo(&dock())) continue;  // such as a row that is about to be deleted
     texts << each->toolTip() << each->accessibleName();
     if (const auto* label = qobject_cast<const QLabel*>(each)) texts << label->text();
     if (const auto* button = qobject_cast<const QAbstractButton*>(each)) texts << button->text();

@@ -277,7 +277,7 @@ void ArchivePanel::showStudies(std::shared_ptr<ArchiveNode> tree, std::size_t co
   constexpr std::size_t most = 2000;
   for (std::size_t row = 0; row < std::min(patients, most); ++row)
     results_->setFirstColumnSpanned(static_cast<int>(row), {}, true);
-  QString text = count == 0 ? tr("Nothing matches. Check the spelling; an asterisk stands for any text, as in *anna*.")
+  QString text = count == 0 ? tr("Nothing matches. Check the spelling; an asterisk stands for any text, as in *jane*.")
                             : tr("Studies: %1, of patients: %2.").arg(count).arg(patients);
   if (!complete) text += QLatin1Char(' ') + tr("There are more: narrow the search, or ask for more.");
   if (ignoresKeys) text += QLatin1Char(' ') + tr("The server does not match by some of the fields.");

@@ -6,6 +6,7 @@
 #include <QLocale>
 #include <QMessageBox>
 #include <QToolButton>
+#include <QVBoxLayout>
 
 #include "io/archive/Cache.h"
 #include "viewer/archive/Retrievals.h"
@@ -14,13 +15,18 @@
 #include "viewer/panels/FileDialog.h"
 
 namespace fenestra::viewer {
+namespace {
+
+constexpr int textWidth = 320;  // px; a longer path is shortened in its middle, and whole in the tool tip
+
+}  // namespace
 
 CacheRow::CacheRow(Archives& archives, const Retrievals& retrievals, QWidget* parent)
     : QWidget(parent), archives_(archives), retrievals_(retrievals) {
   text_ = new QLabel;
   text_->setObjectName(QStringLiteral("archiveCache"));
   text_->setTextFormat(Qt::PlainText);
-  text_->setWordWrap(true);
+  text_->setMinimumWidth(textWidth);
   auto* choose = new QToolButton;
   choose->setText(tr("Move…"));
   choose->setToolTip(tr("Chooses where objects are kept from now on; those of before stay where they are"));
@@ -37,11 +43,14 @@ CacheRow::CacheRow(Archives& archives, const Retrievals& retrievals, QWidget* pa
            "them find their data no more.");
     if (QMessageBox::question(this, tr("Clear"), question) == QMessageBox::Yes) clear();
   });
-  auto* row = new QHBoxLayout(this);
-  row->setContentsMargins(0, 0, 0, 0);
-  row->addWidget(text_, 1);
-  row->addWidget(choose);
-  row->addWidget(clear_);
+  auto* buttons = new QHBoxLayout;
+  buttons->addWidget(choose);
+  buttons->addWidget(clear_);
+  buttons->addStretch();
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->addWidget(text_);
+  column->addLayout(buttons);
   connect(&job_, &LoadJob::failed, text_, &QLabel::setText);
   connect(&retrievals_, &Retrievals::changed, this, [this] { clear_->setEnabled(!retrievals_.isBusy()); });
   clear_->setEnabled(!retrievals_.isBusy());
@@ -78,7 +87,8 @@ void CacheRow::measure() {
 void CacheRow::show(std::uint64_t bytes) {
   const QString size = QLocale().formattedDataSize(static_cast<qint64>(bytes), 1, QLocale::DataSizeSIFormat);
   const QString text = tr("%1 in %2").arg(size, QDir::toNativeSeparators(toQString(archives_.cacheFolder())));
-  text_->setText(text);
+  text_->setText(fontMetrics().elidedText(text, Qt::ElideMiddle, textWidth));
+  text_->setToolTip(text);
 }
 
 }  // namespace fenestra::viewer

@@ -87,7 +87,7 @@ SearchForm::SearchForm(Preferences& preferences, QWidget* parent) : QWidget(pare
 void SearchForm::makeFields() {
   const QString wildcards = tr("An asterisk stands for any text, a question mark for one character");
   name_ = fieldOf("patientName",
-                  tr("Family name, or \"Smith, Anna\": all names that begin so. %1, as in *anna*").arg(wildcards));
+                  tr("Family name, or \"Doe, Jane\": all names that begin so. %1, as in *jane*").arg(wildcards));
   id_ = fieldOf("patientId", tr("The patient's ID as it is. %1, as in 47*").arg(wildcards));
   accession_ = fieldOf("accession", tr("The accession number as it is. %1, as in A2024*").arg(wildcards));
   description_ =

@@ -180,6 +180,7 @@ ServerEntry ServerDialog::entry() const {
 void ServerDialog::accept() {
   const QString problem = problemOf(entry());
   problem_->setText(problem);
+  adjustSize();
   if (problem.isEmpty()) QDialog::accept();
 }
 
