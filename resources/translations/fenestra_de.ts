@@ -247,7 +247,7 @@
         <translation>Umschalt+Rad, Umschalt+Ziehen</translation>
     </message>
     <message>
-        <source>depth, or by how much the context&apos;s edges change</source>
+        <source>depth, or by how much the context's edges change</source>
         <translation>Tiefe, oder um wie viel sich die Kanten des Kontexts ändern</translation>
     </message>
     <message>
@@ -267,7 +267,7 @@
         <translation>Transferfunktion</translation>
     </message>
     <message>
-        <source>Drag a point, or a trapezoid&apos;s edge, top or inside</source>
+        <source>Drag a point, or a trapezoid's edge, top or inside</source>
         <translation>Punkt ziehen, oder Kante, Oberseite oder Inneres eines Trapezes</translation>
     </message>
     <message>
@@ -354,6 +354,50 @@
         <source>show this view alone; Esc shows all</source>
         <translation>nur diese Ansicht zeigen; Esc zeigt alle</translation>
     </message>
+    <message>
+        <source>Shift+wheel</source>
+        <translation>Umschalt+Rad</translation>
+    </message>
+    <message>
+        <source>thickness of the slab, from the slice alone to 100 mm</source>
+        <translation>Dicke des Schichtpakets, von der Schicht allein bis 100 mm</translation>
+    </message>
+    <message>
+        <source>The crosshair's lines, on the slices</source>
+        <translation>Linien des Fadenkreuzes, auf den Schichten</translation>
+    </message>
+    <message>
+        <source>Drag a ball</source>
+        <translation>Kugel ziehen</translation>
+    </message>
+    <message>
+        <source>turn the plane of that colour</source>
+        <translation>die Ebene dieser Farbe drehen</translation>
+    </message>
+    <message>
+        <source>hold its line to rows, columns and diagonals</source>
+        <translation>ihre Linie an Zeilen, Spalten und Diagonalen halten</translation>
+    </message>
+    <message>
+        <source>turn both planes</source>
+        <translation>beide Ebenen drehen</translation>
+    </message>
+    <message>
+        <source>Outlines of the slices, in the 3-D views</source>
+        <translation>Umrisse der Schichten, in den 3-D-Ansichten</translation>
+    </message>
+    <message>
+        <source>Home, End</source>
+        <translation>Pos1, Ende</translation>
+    </message>
+    <message>
+        <source>first and last slice</source>
+        <translation>erste und letzte Schicht</translation>
+    </message>
+    <message>
+        <source>move the picture; on the body only while clicks choose no focus (Focus menu)</source>
+        <translation>das Bild verschieben; auf dem Körper nur, solange Klicks keinen Fokus wählen (Menü Fokus)</translation>
+    </message>
 </context>
 <context>
     <name>Fidelity</name>
@@ -382,11 +426,11 @@
         <translation>Orte oder Größen sind angenommen, weil die Datei sie nicht angibt</translation>
     </message>
     <message>
-        <source>some values are outside of what the file&apos;s header allows</source>
+        <source>some values are outside of what the file's header allows</source>
         <translation>manche Werte liegen außerhalb dessen, was der Header erlaubt</translation>
     </message>
     <message>
-        <source>values are rounded to the precision of the program&apos;s numbers</source>
+        <source>values are rounded to the precision of the program's numbers</source>
         <translation>Werte sind auf die Genauigkeit der Zahlen des Programms gerundet</translation>
     </message>
     <message>
@@ -438,7 +482,7 @@
         <translation>ein Teil des Volumens ist abgetragen</translation>
     </message>
     <message>
-        <source>the scanner&apos;s table is left out</source>
+        <source>the scanner's table is left out</source>
         <translation>der Tisch des Scanners ist weggelassen</translation>
     </message>
     <message>
@@ -504,6 +548,22 @@
     <message>
         <source>altered</source>
         <translation>verändert</translation>
+    </message>
+    <message>
+        <source>a slab: only the highest value of %1 mm shows</source>
+        <translation>ein Schichtpaket: nur der höchste Wert von %1 mm ist zu sehen</translation>
+    </message>
+    <message>
+        <source>a slab: only the lowest value of %1 mm shows</source>
+        <translation>ein Schichtpaket: nur der niedrigste Wert von %1 mm ist zu sehen</translation>
+    </message>
+    <message>
+        <source>a slab: the mean of %1 mm shows</source>
+        <translation>ein Schichtpaket: das Mittel von %1 mm ist zu sehen</translation>
+    </message>
+    <message>
+        <source>values between voxels are interpolated linearly</source>
+        <translation>Werte zwischen Voxeln sind linear interpoliert</translation>
     </message>
 </context>
 <context>
@@ -590,11 +650,11 @@
 <context>
     <name>GlSupport</name>
     <message>
-        <source>Qt&apos;s offscreen platform has no OpenGL; unset QT_QPA_PLATFORM.</source>
+        <source>Qt's offscreen platform has no OpenGL; unset QT_QPA_PLATFORM.</source>
         <translation>Qts Offscreen-Plattform hat kein OpenGL; QT_QPA_PLATFORM nicht setzen.</translation>
     </message>
     <message>
-        <source>No OpenGL context can be made on this display. Install the graphics driver, or Mesa&apos;s software renderer (Debian: libgl1-mesa-dri); on a remote desktop, start Fenestra there.</source>
+        <source>No OpenGL context can be made on this display. Install the graphics driver, or Mesa's software renderer (Debian: libgl1-mesa-dri); on a remote desktop, start Fenestra there.</source>
         <translation>Auf diesem Bildschirm kann kein OpenGL-Kontext entstehen. Installieren Sie den Grafiktreiber oder Mesas Software-Renderer (Debian: libgl1-mesa-dri); bei einem entfernten Desktop starten Sie Fenestra dort.</translation>
     </message>
     <message>
@@ -784,6 +844,146 @@
         <source>From the side of the body that the focus is nearer to, rather than through the body, where both show about as much</source>
         <translation>Von der Körperseite, der der Fokus näher liegt, statt durch den Körper hindurch, wo beide etwa gleich viel zeigen</translation>
     </message>
+    <message>
+        <source>Depth</source>
+        <translation>Tiefe</translation>
+    </message>
+    <message>
+        <source>How deep the focus lies; below 0 prefers views with little in front of it.
+vd1 = mean depth of the focus's pixels / diameter of the model's sphere</source>
+        <translation>Wie tief der Fokus liegt; unter 0 bevorzugt Ansichten mit wenig davor.
+vd1 = mittlere Tiefe der Pixel des Fokus / Durchmesser der Kugel um das Modell</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source>How large the focus is in the picture.
+vd2 = pixels of the focus / pixels of the picture</source>
+        <translation>Wie groß der Fokus im Bild ist.
+vd2 = Pixel des Fokus / Pixel des Bilds</translation>
+    </message>
+    <message>
+        <source>Centring</source>
+        <translation>Zentrierung</translation>
+    </message>
+    <message>
+        <source>How near to the middle of the picture it is.
+vd3 = 1 − distance of its centroid from the middle / distance of a corner</source>
+        <translation>Wie nahe er der Bildmitte ist.
+vd3 = 1 − Abstand seines Schwerpunkts von der Mitte / Abstand einer Ecke</translation>
+    </message>
+    <message>
+        <source>Cut ends</source>
+        <translation>Schnittenden</translation>
+    </message>
+    <message>
+        <source>Below 0 avoids looking at the focus through a face where the scan cuts the body off.
+Share of the focus's pixels whose rays enter the volume inside the body</source>
+        <translation>Unter 0 meidet Blicke auf den Fokus durch eine Fläche, an der die Aufnahme den Körper abschneidet.
+Anteil der Pixel des Fokus, deren Strahlen innerhalb des Körpers ins Volumen eintreten</translation>
+    </message>
+    <message>
+        <source>Evenness</source>
+        <translation>Gleichmaß</translation>
+    </message>
+    <message>
+        <source>How much of its surface is seen.
+Viewpoint entropy −Σ p log p of the seen surface points, over its maximum (Bordoloi, Shen 2005)</source>
+        <translation>Wie viel seiner Oberfläche zu sehen ist.
+Blickpunktentropie −Σ p log p der sichtbaren Oberflächenpunkte, durch ihr Maximum (Bordoloi, Shen 2005)</translation>
+    </message>
+    <message>
+        <source>Typical</source>
+        <translation>Typisch</translation>
+    </message>
+    <message>
+        <source>How typical the view is of all views.
+1 − Σ p(o|v) log(p(o|v) / p(o)) over its maximum (Viola et al. 2006)</source>
+        <translation>Wie typisch die Ansicht unter allen ist.
+1 − Σ p(o|v) log(p(o|v) / p(o)) durch ihr Maximum (Viola et al. 2006)</translation>
+    </message>
+    <message>
+        <source>Steady</source>
+        <translation>Stetig</translation>
+    </message>
+    <message>
+        <source>How little changes when the camera moves a bit.
+1 − Jensen–Shannon divergence to the eight nearest views</source>
+        <translation>Wie wenig sich ändert, wenn sich die Kamera etwas bewegt.
+1 − Jensen-Shannon-Divergenz zu den acht nächsten Ansichten</translation>
+    </message>
+    <message>
+        <source>Standard view</source>
+        <translation>Standardansicht</translation>
+    </message>
+    <message>
+        <source>How near the view is to anterior, left, superior …: a little decides between equally good views.
+Cosine of the angle to the nearest of the six</source>
+        <translation>Wie nahe die Ansicht anterior, links, superior … ist: ein wenig davon entscheidet zwischen gleich guten Ansichten.
+Kosinus des Winkels zur nächsten der sechs</translation>
+    </message>
+    <message>
+        <source>Not through cut ends</source>
+        <translation>Nicht durch Schnittenden</translation>
+    </message>
+    <message>
+        <source>No view within 45° of an end of the scan where the body goes on, while another one shows at least two thirds as much of the focus</source>
+        <translation>Keine Ansicht innerhalb von 45° um ein Ende der Aufnahme, wo der Körper weitergeht, solange eine andere mindestens zwei Drittel so viel vom Fokus zeigt</translation>
+    </message>
+    <message>
+        <source>From around before from above</source>
+        <translation>Von ringsum vor von oben</translation>
+    </message>
+    <message>
+        <source>From the front, from behind, the left or the right rather than from above or below, where both show about as much</source>
+        <translation>Von vorn, hinten, links oder rechts statt von oben oder unten, wo beide etwa gleich viel zeigen</translation>
+    </message>
+    <message>
+        <source>Thin stacks from the front</source>
+        <translation>Dünne Stapel von vorn</translation>
+    </message>
+    <message>
+        <source>A stack of a few slices, or one much thinner than wide, is seen from the side from which its slices are shown, not edge-on</source>
+        <translation>Ein Stapel weniger Schichten, oder einer viel dünner als breit, wird von der Seite gesehen, von der seine Schichten gezeigt werden, nicht von der Kante</translation>
+    </message>
+    <message>
+        <source>From the near side</source>
+        <translation>Von der näheren Seite</translation>
+    </message>
+    <message>
+        <source>Usual side</source>
+        <translation>Übliche Seite</translation>
+    </message>
+    <message>
+        <source>How usual the view is: from the front rather than from the side, from behind, from above or below</source>
+        <translation>Wie üblich die Ansicht ist: eher von vorn als von der Seite, von hinten, von oben oder unten</translation>
+    </message>
+    <message>
+        <source>Last view</source>
+        <translation>Letzte Ansicht</translation>
+    </message>
+    <message>
+        <source>How near the view is to the present one, so that it does not jump</source>
+        <translation>Wie nahe die Ansicht der jetzigen ist, damit sie nicht springt</translation>
+    </message>
+    <message>
+        <source>Shape</source>
+        <translation>Form</translation>
+    </message>
+    <message>
+        <source>How well the view shows the structure's shape around the point: onto what is flat, across what is long</source>
+        <translation>Wie gut die Ansicht die Form der Struktur um den Punkt zeigt: auf Flaches, quer zu Langem</translation>
+    </message>
+    <message>
+        <source>Unhidden</source>
+        <translation>Unverdeckt</translation>
+    </message>
+    <message>
+        <source>How little hides the structure around the point, before anything is cut away</source>
+        <translation>Wie wenig die Struktur um den Punkt verdeckt, bevor etwas weggeschnitten ist</translation>
+    </message>
 </context>
 <context>
     <name>Region</name>
@@ -961,7 +1161,7 @@
         <translation>Linse behält</translation>
     </message>
     <message>
-        <source>What stays within ClearView&apos;s lens of what hides the focus, beside its bends</source>
+        <source>What stays within ClearView's lens of what hides the focus, beside its bends</source>
         <translation>Was in ClearViews Linse vom Verdeckenden bleibt, neben seinen Biegungen</translation>
     </message>
     <message>
@@ -969,7 +1169,7 @@
         <translation>Linse über</translation>
     </message>
     <message>
-        <source>What ClearView&apos;s lens lies over, as you see it</source>
+        <source>What ClearView's lens lies over, as you see it</source>
         <translation>Worüber ClearViews Linse liegt, wie Sie es sehen</translation>
     </message>
     <message>
@@ -977,7 +1177,7 @@
         <translation>Linse</translation>
     </message>
     <message>
-        <source>Radius of ClearView&apos;s lens, as a share of the volume&apos;s longest side; its authors use 18.2</source>
+        <source>Radius of ClearView's lens, as a share of the volume's longest side; its authors use 18.2</source>
         <translation>Radius von ClearViews Linse als Anteil der längsten Seite des Volumens; ihre Autoren nehmen 18,2</translation>
     </message>
     <message>
@@ -985,7 +1185,7 @@
         <translation>Biegungen bleiben</translation>
     </message>
     <message>
-        <source>How much of the bends of what hides the focus stays within ClearView&apos;s lens; 0 keeps none</source>
+        <source>How much of the bends of what hides the focus stays within ClearView's lens; 0 keeps none</source>
         <translation>Wie viel von den Biegungen des Verdeckenden in ClearViews Linse bleibt; 0 behält nichts</translation>
     </message>
     <message>
@@ -993,7 +1193,7 @@
         <translation>Rand der Linse</translation>
     </message>
     <message>
-        <source>How thin the dark line around ClearView&apos;s lens is: more is thinner</source>
+        <source>How thin the dark line around ClearView's lens is: more is thinner</source>
         <translation>Wie dünn die dunkle Linie um ClearViews Linse ist: mehr ist dünner</translation>
     </message>
     <message>
@@ -1017,7 +1217,7 @@
         <translation>Zum Rand hin</translation>
     </message>
     <message>
-        <source>The nearer to the lens&apos;s rim, the more of what hides the focus</source>
+        <source>The nearer to the lens's rim, the more of what hides the focus</source>
         <translation>Je näher am Rand der Linse, desto mehr vom Verdeckenden</translation>
     </message>
     <message>
@@ -1041,11 +1241,11 @@
         <translation>Kegelschnitt</translation>
     </message>
     <message>
-        <source>Cone&apos;s angle</source>
+        <source>Cone's angle</source>
         <translation>Kegelwinkel</translation>
     </message>
     <message>
-        <source>Angle between the axis and the wall of the cone cutaway&apos;s cones: more opens wider</source>
+        <source>Angle between the axis and the wall of the cone cutaway's cones: more opens wider</source>
         <translation>Winkel zwischen Achse und Wand der Kegel: mehr öffnet weiter</translation>
     </message>
     <message>
@@ -1093,7 +1293,7 @@
         <translation>Schnitt entlang</translation>
     </message>
     <message>
-        <source>Whether the planes of an exploded view lie along the patient&apos;s axes or the view&apos;s</source>
+        <source>Whether the planes of an exploded view lie along the patient's axes or the view's</source>
         <translation>Ob die Ebenen entlang der Achsen des Patienten oder der Ansicht liegen</translation>
     </message>
     <message>
@@ -1125,7 +1325,7 @@
         <translation>Patient</translation>
     </message>
     <message>
-        <source>Planes along the patient&apos;s axes: left and right are the patient&apos;s</source>
+        <source>Planes along the patient's axes: left and right are the patient's</source>
         <translation>Ebenen entlang der Achsen des Patienten: links und rechts sind die des Patienten</translation>
     </message>
     <message>
@@ -1133,7 +1333,7 @@
         <translation>Ansicht</translation>
     </message>
     <message>
-        <source>Planes along the picture&apos;s axes, which turn with the camera</source>
+        <source>Planes along the picture's axes, which turn with the camera</source>
         <translation>Ebenen entlang der Achsen des Bilds, die mit der Kamera drehen</translation>
     </message>
     <message>
@@ -1153,7 +1353,7 @@
         <translation>Größe der Region</translation>
     </message>
     <message>
-        <source>Radius of the focal region&apos;s sphere, half the side of its box, or its distance from the focus</source>
+        <source>Radius of the focal region's sphere, half the side of its box, or its distance from the focus</source>
         <translation>Radius der Kugel, halbe Seite des Quaders, oder Abstand vom Fokus</translation>
     </message>
     <message>
@@ -1181,7 +1381,7 @@
         <translation>Quader</translation>
     </message>
     <message>
-        <source>A cube along the patient&apos;s axes, around the middle of the focus</source>
+        <source>A cube along the patient's axes, around the middle of the focus</source>
         <translation>Ein Würfel entlang der Achsen des Patienten um die Mitte des Fokus</translation>
     </message>
     <message>
@@ -1209,7 +1409,7 @@
         <translation>Aufweitung</translation>
     </message>
     <message>
-        <source>Angle at which the importance-driven opening widens from the focus&apos;s outline towards the eye</source>
+        <source>Angle at which the importance-driven opening widens from the focus's outline towards the eye</source>
         <translation>Winkel, mit dem sich die Öffnung vom Umriss des Fokus zum Auge hin weitet</translation>
     </message>
     <message>
@@ -1233,7 +1433,7 @@
         <translation>Entfernt</translation>
     </message>
     <message>
-        <source>What hides the focus is removed, in a cone that widens from the focus&apos;s outline towards you (maximum importance projection)</source>
+        <source>What hides the focus is removed, in a cone that widens from the focus's outline towards you (maximum importance projection)</source>
         <translation>Das Verdeckende wird entfernt, in einem Kegel, der sich vom Umriss des Fokus zu Ihnen weitet (Maximum Importance Projection)</translation>
     </message>
     <message>
@@ -1257,7 +1457,7 @@
         <translation>Grau</translation>
     </message>
     <message>
-        <source>Less opaque, and grey, so that the colours are the focus&apos;s alone</source>
+        <source>Less opaque, and grey, so that the colours are the focus's alone</source>
         <translation>Weniger deckend und grau, sodass nur der Fokus Farben hat</translation>
     </message>
     <message>
@@ -1337,7 +1537,7 @@
         <translation>Vorn</translation>
     </message>
     <message>
-        <source>The patient&apos;s anterior side</source>
+        <source>The patient's anterior side</source>
         <translation>Die anteriore Seite des Patienten</translation>
     </message>
     <message>
@@ -1345,7 +1545,7 @@
         <translation>Hinten</translation>
     </message>
     <message>
-        <source>The patient&apos;s posterior side</source>
+        <source>The patient's posterior side</source>
         <translation>Die posteriore Seite des Patienten</translation>
     </message>
     <message>
@@ -1353,7 +1553,7 @@
         <translation>Links</translation>
     </message>
     <message>
-        <source>The patient&apos;s left side</source>
+        <source>The patient's left side</source>
         <translation>Die linke Seite des Patienten</translation>
     </message>
     <message>
@@ -1361,7 +1561,7 @@
         <translation>Rechts</translation>
     </message>
     <message>
-        <source>The patient&apos;s right side</source>
+        <source>The patient's right side</source>
         <translation>Die rechte Seite des Patienten</translation>
     </message>
     <message>
@@ -1369,7 +1569,7 @@
         <translation>Oben</translation>
     </message>
     <message>
-        <source>The patient&apos;s superior side</source>
+        <source>The patient's superior side</source>
         <translation>Die superiore Seite des Patienten</translation>
     </message>
     <message>
@@ -1377,7 +1577,7 @@
         <translation>Unten</translation>
     </message>
     <message>
-        <source>The patient&apos;s inferior side</source>
+        <source>The patient's inferior side</source>
         <translation>Die inferiore Seite des Patienten</translation>
     </message>
     <message>
@@ -1449,7 +1649,7 @@
         <translation>Ob die koronale Schicht am Fadenkreuz eine Wand ist</translation>
     </message>
     <message>
-        <source>Whether the labels&apos; outlines are drawn on the walls</source>
+        <source>Whether the labels' outlines are drawn on the walls</source>
         <translation>Ob die Umrisse der Labels auf den Wänden gezeichnet werden</translation>
     </message>
     <message>
@@ -1525,7 +1725,7 @@
         <translation>Abschwächen</translation>
     </message>
     <message>
-        <source>Shows less of the context&apos;s edges over the focus</source>
+        <source>Shows less of the context's edges over the focus</source>
         <translation>Zeigt über dem Fokus weniger von den Kanten des Kontexts</translation>
     </message>
     <message>
@@ -1533,7 +1733,7 @@
         <translation>Verstärken</translation>
     </message>
     <message>
-        <source>Shows more of the context&apos;s edges over the focus</source>
+        <source>Shows more of the context's edges over the focus</source>
         <translation>Zeigt über dem Fokus mehr von den Kanten des Kontexts</translation>
     </message>
     <message>
@@ -1621,7 +1821,7 @@
         <translation>Eine Farbe</translation>
     </message>
     <message>
-        <source>The background&apos;s colour everywhere</source>
+        <source>The background's colour everywhere</source>
         <translation>Überall die Farbe des Hintergrunds</translation>
     </message>
     <message>
@@ -1629,7 +1829,7 @@
         <translation>Verlauf</translation>
     </message>
     <message>
-        <source>From the background&apos;s colour at the bottom to another at the top</source>
+        <source>From the background's colour at the bottom to another at the top</source>
         <translation>Von der Farbe des Hintergrunds unten zu einer anderen oben</translation>
     </message>
     <message>
@@ -1737,7 +1937,7 @@
         <translation>Achsneigung</translation>
     </message>
     <message>
-        <source>Angle between the opening&apos;s axis and the line of sight, so that its depth shows</source>
+        <source>Angle between the opening's axis and the line of sight, so that its depth shows</source>
         <translation>Winkel zwischen der Achse der Öffnung und der Blickrichtung, damit ihre Tiefe zu sehen ist</translation>
     </message>
     <message>
@@ -1745,7 +1945,7 @@
         <translation>Richtung</translation>
     </message>
     <message>
-        <source>To which side of the picture the opening&apos;s axis leans: 0 is the right, 90 the top</source>
+        <source>To which side of the picture the opening's axis leans: 0 is the right, 90 the top</source>
         <translation>Zu welcher Seite des Bilds die Achse der Öffnung sich neigt: 0 ist rechts, 90 oben</translation>
     </message>
     <message>
@@ -1761,7 +1961,7 @@
         <translation>Krümmung</translation>
     </message>
     <message>
-        <source>How much bends of the context&apos;s surface count as edges: eyes, nose, ears</source>
+        <source>How much bends of the context's surface count as edges: eyes, nose, ears</source>
         <translation>Wie sehr Biegungen der Oberfläche des Kontexts als Kanten zählen: Augen, Nase, Ohren</translation>
     </message>
     <message>
@@ -1769,7 +1969,7 @@
         <translation>Silhouette</translation>
     </message>
     <message>
-        <source>How much the context&apos;s outlines, where its surface is seen edge-on, count as edges</source>
+        <source>How much the context's outlines, where its surface is seen edge-on, count as edges</source>
         <translation>Wie sehr die Umrisse des Kontexts, wo seine Oberfläche von der Kante gesehen wird, als Kanten zählen</translation>
     </message>
     <message>
@@ -1777,7 +1977,7 @@
         <translation>Beleuchtung</translation>
     </message>
     <message>
-        <source>How much the light on the context&apos;s surface shades its edges; 0 draws them flat</source>
+        <source>How much the light on the context's surface shades its edges; 0 draws them flat</source>
         <translation>Wie sehr das Licht auf der Oberfläche des Kontexts seine Kanten schattiert; 0 zeichnet sie flach</translation>
     </message>
     <message>
@@ -1785,7 +1985,7 @@
         <translation>Eigenfarbe</translation>
     </message>
     <message>
-        <source>How much the edges take the context&apos;s own colour</source>
+        <source>How much the edges take the context's own colour</source>
         <translation>Wie sehr die Kanten die eigene Farbe des Kontexts annehmen</translation>
     </message>
     <message>
@@ -1793,7 +1993,7 @@
         <translation>Sättigung</translation>
     </message>
     <message>
-        <source>How saturated the context&apos;s own colour is in its edges</source>
+        <source>How saturated the context's own colour is in its edges</source>
         <translation>Wie gesättigt die eigene Farbe des Kontexts in seinen Kanten ist</translation>
     </message>
     <message>
@@ -1809,7 +2009,7 @@
         <translation>Farbe</translation>
     </message>
     <message>
-        <source>Colour of the context&apos;s edges</source>
+        <source>Colour of the context's edges</source>
         <translation>Farbe der Kanten des Kontexts</translation>
     </message>
     <message>
@@ -1949,7 +2149,7 @@
         <translation>Tisch ausblenden</translation>
     </message>
     <message>
-        <source>Whether 3-D pictures of a CT leave out the scanner&apos;s table, head rest and cushions</source>
+        <source>Whether 3-D pictures of a CT leave out the scanner's table, head rest and cushions</source>
         <translation>Ob 3-D-Bilder eines CT Tisch, Kopfstütze und Polster des Scanners weglassen</translation>
     </message>
     <message>
@@ -2013,7 +2213,7 @@
         <translation>Menge</translation>
     </message>
     <message>
-        <source>How much of the context&apos;s edges Fade takes or Strengthen adds</source>
+        <source>How much of the context's edges Fade takes or Strengthen adds</source>
         <translation>Wie viel Abschwächen von den Kanten des Kontexts nimmt oder Verstärken hinzufügt</translation>
     </message>
     <message>
@@ -2021,7 +2221,7 @@
         <translation>Bis zur Oberfläche</translation>
     </message>
     <message>
-        <source>Whether Restore reaches to the context&apos;s first surface, however deep that lies</source>
+        <source>Whether Restore reaches to the context's first surface, however deep that lies</source>
         <translation>Ob Wiederherstellen bis zur ersten Oberfläche des Kontexts reicht, wie tief sie auch liegt</translation>
     </message>
     <message>
@@ -2053,7 +2253,7 @@
         <translation>Nur Schnitt</translation>
     </message>
     <message>
-        <source>Context&apos;s edges</source>
+        <source>Context's edges</source>
         <translation>Kanten des Kontexts</translation>
     </message>
     <message>
@@ -2257,7 +2457,7 @@
         <translation>Nichts öffnet sich von selbst: eine Ebene, die Sie durch einen Strich legen und durch Ziehen biegen, entfernt eine Seite (Konrad-Verse, Preim und Littmann 2004)</translation>
     </message>
     <message>
-        <source>A lens over the focus through which it shows, while what hides it fades towards the lens&apos;s middle and stays where it bends (Krüger, Schneider and Westermann 2006)</source>
+        <source>A lens over the focus through which it shows, while what hides it fades towards the lens's middle and stays where it bends (Krüger, Schneider and Westermann 2006)</source>
         <translation>Eine Linse über dem Fokus, durch die er zu sehen ist, während das Verdeckende zur Linsenmitte hin verblasst und bleibt, wo es sich biegt (Krüger, Schneider und Westermann 2006)</translation>
     </message>
     <message>
@@ -2362,7 +2562,7 @@
     </message>
     <message>
         <source>How deep the focus lies; below 0 prefers views with little in front of it.
-vd1 = mean depth of the focus&apos;s pixels / diameter of the model&apos;s sphere</source>
+vd1 = mean depth of the focus's pixels / diameter of the model's sphere</source>
         <translation>Wie tief der Fokus liegt; unter 0 bevorzugt Ansichten mit wenig davor.
 vd1 = mittlere Tiefe der Pixel des Fokus / Durchmesser der Kugel um das Modell</translation>
     </message>
@@ -2392,7 +2592,7 @@ vd3 = 1 − Abstand seines Schwerpunkts von der Mitte / Abstand einer Ecke</tran
     </message>
     <message>
         <source>Below 0 avoids looking at the focus through a face where the scan cuts the body off.
-Share of the focus&apos;s pixels whose rays enter the volume inside the body</source>
+Share of the focus's pixels whose rays enter the volume inside the body</source>
         <translation>Unter 0 meidet Blicke auf den Fokus durch eine Fläche, an der die Aufnahme den Körper abschneidet.
 Anteil der Pixel des Fokus, deren Strahlen innerhalb des Körpers ins Volumen eintreten</translation>
     </message>
@@ -2469,7 +2669,7 @@ Kosinus des Winkels zur nächsten der sechs</translation>
         <translation>Sprache (beim nächsten Start)</translation>
     </message>
     <message>
-        <source>Language of the window&apos;s texts and numbers; it changes when Fenestra starts again</source>
+        <source>Language of the window's texts and numbers; it changes when Fenestra starts again</source>
         <translation>Sprache der Texte und Zahlen des Fensters; sie wechselt, wenn Fenestra neu startet</translation>
     </message>
     <message>
@@ -2493,7 +2693,7 @@ Kosinus des Winkels zur nächsten der sechs</translation>
         <translation>Form</translation>
     </message>
     <message>
-        <source>How well the view shows the structure&apos;s shape around the point: onto what is flat, across what is long</source>
+        <source>How well the view shows the structure's shape around the point: onto what is flat, across what is long</source>
         <translation>Wie gut die Ansicht die Form der Struktur um den Punkt zeigt: auf Flaches, quer zu Langem</translation>
     </message>
     <message>
@@ -2503,6 +2703,14 @@ Kosinus des Winkels zur nächsten der sechs</translation>
     <message>
         <source>How little hides the structure around the point, before anything is cut away</source>
         <translation>Wie wenig die Struktur um den Punkt verdeckt, bevor etwas weggeschnitten ist</translation>
+    </message>
+    <message>
+        <source>Neurological convention</source>
+        <translation>Neurologische Konvention</translation>
+    </message>
+    <message>
+        <source>Axial and coronal slices show the patient's left on the left; otherwise it is on the right, as radiologists have it</source>
+        <translation>Axiale und koronale Schichten zeigen die linke Seite des Patienten links; sonst rechts, wie in der Radiologie üblich</translation>
     </message>
 </context>
 <context>
@@ -2583,7 +2791,7 @@ Kosinus des Winkels zur nächsten der sechs</translation>
         <translation>DICOM, NIfTI, NRRD, MetaImage, MGH, Analyze und TIFF werden am Inhalt erkannt</translation>
     </message>
     <message>
-        <source>&quot;Hide the table&quot; in the panel Context brings it back</source>
+        <source>"Hide the table" in the panel Context brings it back</source>
         <translation>„Tisch ausblenden“ im Panel Kontext bringt ihn zurück</translation>
     </message>
     <message>
@@ -3122,8 +3330,277 @@ Kosinus des Winkels zur nächsten der sechs</translation>
         <translation>&amp;Qualität in Ruhe</translation>
     </message>
     <message>
-        <source>Bound on the error that sampling leaves in a pixel&apos;s colour</source>
+        <source>Bound on the error that sampling leaves in a pixel's colour</source>
         <translation>Schranke für den Fehler, den die Abtastung in der Farbe eines Pixels lässt</translation>
+    </message>
+    <message>
+        <source>&amp;Slices</source>
+        <translation>S&amp;chichten</translation>
+    </message>
+    <message>
+        <source>Face C&amp;1</source>
+        <translation>Zu C&amp;1 gewandt</translation>
+    </message>
+    <message>
+        <source>Shift+F</source>
+        <translation>Shift+F</translation>
+    </message>
+    <message>
+        <source>Face C&amp;2</source>
+        <translation>Zu C&amp;2 gewandt</translation>
+    </message>
+    <message>
+        <source>&amp;Slab</source>
+        <translation>S&amp;chichtpaket</translation>
+    </message>
+    <message>
+        <source>&amp;Outlines in 3-D</source>
+        <translation>Umrisse &amp;in 3-D</translation>
+    </message>
+    <message>
+        <source>Shift+O</source>
+        <translation>Shift+O</translation>
+    </message>
+    <message>
+        <source>&amp;Reset the plane</source>
+        <translation>&amp;Ebene zurücksetzen</translation>
+    </message>
+    <message>
+        <source>N</source>
+        <translation>N</translation>
+    </message>
+    <message>
+        <source>Reset &amp;all planes</source>
+        <translation>Alle Ebenen &amp;zurücksetzen</translation>
+    </message>
+    <message>
+        <source>Shift+N</source>
+        <translation>Shift+N</translation>
+    </message>
+    <message>
+        <source>&amp;Next series</source>
+        <translation>&amp;Nächste Serie</translation>
+    </message>
+    <message>
+        <source>Ctrl+PgDown</source>
+        <translation>Ctrl+PgDown</translation>
+    </message>
+    <message>
+        <source>Pre&amp;vious series</source>
+        <translation>Vo&amp;rige Serie</translation>
+    </message>
+    <message>
+        <source>Ctrl+PgUp</source>
+        <translation>Ctrl+PgUp</translation>
+    </message>
+    <message>
+        <source>&amp;Close study</source>
+        <translation>Studie s&amp;chließen</translation>
+    </message>
+    <message>
+        <source>Ctrl+W</source>
+        <translation>Ctrl+W</translation>
+    </message>
+    <message>
+        <source>Layo&amp;ut of the views</source>
+        <translation>An&amp;ordnung der Ansichten</translation>
+    </message>
+    <message>
+        <source>&amp;One view, the active one</source>
+        <translation>&amp;Eine Ansicht, die aktive</translation>
+    </message>
+    <message>
+        <source>&amp;Next view</source>
+        <translation>Näc&amp;hste Ansicht</translation>
+    </message>
+    <message>
+        <source>Pre&amp;vious view</source>
+        <translation>V&amp;orige Ansicht</translation>
+    </message>
+    <message>
+        <source>&amp;Keep this layout…</source>
+        <translation>&amp;Diese Anordnung behalten…</translation>
+    </message>
+    <message>
+        <source>&amp;Forget</source>
+        <translation>Ve&amp;rgessen</translation>
+    </message>
+    <message>
+        <source>Keep this layout</source>
+        <translation>Diese Anordnung behalten</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>S&amp;lices</source>
+        <translation>&amp;Schichten</translation>
+    </message>
+    <message>
+        <source>&amp;Flip left and right</source>
+        <translation>&amp;Links und rechts spiegeln</translation>
+    </message>
+    <message>
+        <source>X</source>
+        <translation>X</translation>
+    </message>
+    <message>
+        <source>Flip &amp;up and down</source>
+        <translation>&amp;Oben und unten spiegeln</translation>
+    </message>
+    <message>
+        <source>Y</source>
+        <translation>Y</translation>
+    </message>
+    <message>
+        <source>&amp;Turn by 90°</source>
+        <translation>&amp;Um 90° drehen</translation>
+    </message>
+    <message>
+        <source>Z</source>
+        <translation>Z</translation>
+    </message>
+    <message>
+        <source>True &amp;size</source>
+        <translation>&amp;Wahre Größe</translation>
+    </message>
+    <message>
+        <source>J</source>
+        <translation>J</translation>
+    </message>
+    <message>
+        <source>This screen does not say how large it is, so that true size cannot be shown.</source>
+        <translation>Dieser Bildschirm sagt nicht, wie groß er ist, sodass die wahre Größe nicht gezeigt werden kann.</translation>
+    </message>
+    <message>
+        <source>&amp;Neurological convention</source>
+        <translation>&amp;Neurologische Konvention</translation>
+    </message>
+    <message>
+        <source>U</source>
+        <translation>U</translation>
+    </message>
+    <message>
+        <source>&amp;Play</source>
+        <translation>&amp;Abspielen</translation>
+    </message>
+    <message>
+        <source>K</source>
+        <translation>K</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n slices a second</source>
+        <translation>
+            <numerusform>%n Schicht je Sekunde</numerusform><numerusform>%n Schichten je Sekunde</numerusform></translation>
+    </message>
+    <message>
+        <source>Play fa&amp;ster</source>
+        <translation>&amp;Schneller abspielen</translation>
+    </message>
+    <message>
+        <source>Shift+K</source>
+        <translation>Shift+K</translation>
+    </message>
+    <message>
+        <source>Play slo&amp;wer</source>
+        <translation>Lan&amp;gsamer abspielen</translation>
+    </message>
+    <message>
+        <source>Ctrl+K</source>
+        <translation>Ctrl+K</translation>
+    </message>
+    <message>
+        <source>Ctrl+Y</source>
+        <translation>Ctrl+Y</translation>
+    </message>
+    <message>
+        <source>Change &amp;keys…</source>
+        <translation>T&amp;asten ändern…</translation>
+    </message>
+    <message>
+        <source>%1  (%2 % to %3 % of the values)</source>
+        <translation>%1  (%2 % bis %3 % der Werte)</translation>
+    </message>
+    <message>
+        <source>SUV 0 to %1</source>
+        <translation>SUV 0 bis %1</translation>
+    </message>
+    <message>
+        <source>&amp;My windows</source>
+        <translation>&amp;Eigene Fenster</translation>
+    </message>
+    <message>
+        <source>&amp;Keep this window…</source>
+        <translation>&amp;Dieses Fenster behalten…</translation>
+    </message>
+    <message>
+        <source>%1  (%2 / %3)</source>
+        <translation>%1  (%2 / %3)</translation>
+    </message>
+    <message>
+        <source>Keep this window</source>
+        <translation>Dieses Fenster behalten</translation>
+    </message>
+    <message>
+        <source>Brain</source>
+        <translation>Gehirn</translation>
+    </message>
+    <message>
+        <source>Abdomen</source>
+        <translation>Abdomen</translation>
+    </message>
+    <message>
+        <source>Mediastinum</source>
+        <translation>Mediastinum</translation>
+    </message>
+    <message>
+        <source>Bone</source>
+        <translation>Knochen</translation>
+    </message>
+    <message>
+        <source>Lung</source>
+        <translation>Lunge</translation>
+    </message>
+    <message>
+        <source>Stroke</source>
+        <translation>Schlaganfall</translation>
+    </message>
+    <message>
+        <source>Subdural</source>
+        <translation>Subdural</translation>
+    </message>
+    <message>
+        <source>Liver</source>
+        <translation>Leber</translation>
+    </message>
+    <message>
+        <source>Temporal bone</source>
+        <translation>Felsenbein</translation>
+    </message>
+    <message>
+        <source>Spine, soft tissue</source>
+        <translation>Wirbelsäule, Weichteile</translation>
+    </message>
+    <message>
+        <source>Spine, bone</source>
+        <translation>Wirbelsäule, Knochen</translation>
+    </message>
+    <message>
+        <source>Usual</source>
+        <translation>Üblich</translation>
+    </message>
+    <message>
+        <source>All but outliers</source>
+        <translation>Alles außer Ausreißern</translation>
+    </message>
+    <message>
+        <source>High contrast</source>
+        <translation>Hoher Kontrast</translation>
+    </message>
+    <message>
+        <source>Bright structures</source>
+        <translation>Helle Strukturen</translation>
     </message>
 </context>
 <context>
@@ -3183,7 +3660,7 @@ Kosinus des Winkels zur nächsten der sechs</translation>
         <translation>Bereits bis zum Fokus geöffnet</translation>
     </message>
     <message>
-        <source>The context&apos;s edges are switched off</source>
+        <source>The context's edges are switched off</source>
         <translation>Die Kanten des Kontexts sind ausgeschaltet</translation>
     </message>
     <message>
@@ -3223,7 +3700,7 @@ Kosinus des Winkels zur nächsten der sechs</translation>
         <translation>Methode</translation>
     </message>
     <message>
-        <source>Context&apos;s edges</source>
+        <source>Context's edges</source>
         <translation>Kanten des Kontexts</translation>
     </message>
     <message>
@@ -3313,7 +3790,7 @@ Kosinus des Winkels zur nächsten der sechs</translation>
         <translation>Sucht die beste Ansicht des Fokus und die, die sie ergänzt (F5)</translation>
     </message>
     <message>
-        <source>The two views see &lt;b&gt;%1 %&lt;/b&gt; of the focus&apos;s surface</source>
+        <source>The two views see &lt;b&gt;%1 %&lt;/b&gt; of the focus's surface</source>
         <translation>Beide Ansichten sehen &lt;b&gt;%1 %&lt;/b&gt; der Oberfläche des Fokus</translation>
     </message>
     <message>
@@ -3418,11 +3895,11 @@ Kosinus des Winkels zur nächsten der sechs</translation>
         <translation>I – S</translation>
     </message>
     <message>
-        <source>The patient&apos;s right end of the box</source>
+        <source>The patient's right end of the box</source>
         <translation>Rechtes Ende des Quaders (vom Patienten aus)</translation>
     </message>
     <message>
-        <source>The patient&apos;s left end of the box</source>
+        <source>The patient's left end of the box</source>
         <translation>Linkes Ende des Quaders (vom Patienten aus)</translation>
     </message>
     <message>
@@ -3442,7 +3919,7 @@ Kosinus des Winkels zur nächsten der sechs</translation>
         <translation>Oberes Ende des Quaders</translation>
     </message>
     <message>
-        <source>Drag a plane&apos;s square to move it, and the ball at its arrow to tilt it, in any view</source>
+        <source>Drag a plane's square to move it, and the ball at its arrow to tilt it, in any view</source>
         <translation>Das Quadrat einer Ebene verschiebt sie, die Kugel an ihrem Pfeil kippt sie, in jeder Ansicht</translation>
     </message>
     <message>
@@ -3466,7 +3943,7 @@ Kosinus des Winkels zur nächsten der sechs</translation>
         <translation>Zur Kamera C1 gewandt</translation>
     </message>
     <message>
-        <source>3-D pictures show only the inside of a box along the volume&apos;s axes</source>
+        <source>3-D pictures show only the inside of a box along the volume's axes</source>
         <translation>3-D-Bilder zeigen nur das Innere eines Quaders entlang der Achsen des Volumens</translation>
     </message>
     <message>
@@ -3548,7 +4025,7 @@ Kosinus des Winkels zur nächsten der sechs</translation>
         <translation>Aussehen</translation>
     </message>
     <message>
-        <source>Smooth edges, by several rays a pixel, are the adaptive cutaway&apos;s alone</source>
+        <source>Smooth edges, by several rays a pixel, are the adaptive cutaway's alone</source>
         <translation>Glatte Kanten, mit mehreren Strahlen je Pixel, hat nur der adaptive Freischnitt</translation>
     </message>
     <message>
@@ -3880,7 +4357,7 @@ Kosinus des Winkels zur nächsten der sechs</translation>
 <context>
     <name>fenestra::viewer::LabelList</name>
     <message>
-        <source>No structure&apos;s name has these words.</source>
+        <source>No structure's name has these words.</source>
         <translation>Keine Struktur heißt so.</translation>
     </message>
     <message>
@@ -3920,7 +4397,7 @@ Kosinus des Winkels zur nächsten der sechs</translation>
         <translation>Farbe…</translation>
     </message>
     <message>
-        <source>The label map&apos;s own colour</source>
+        <source>The label map's own colour</source>
         <translation>Eigene Farbe der Labelkarte</translation>
     </message>
     <message>
@@ -3973,9 +4450,7 @@ Kosinus des Winkels zur nächsten der sechs</translation>
     <message numerus="yes">
         <source>%n label(s) without voxels</source>
         <translation>
-            <numerusform>%n Label ohne Voxel</numerusform>
-            <numerusform>%n Labels ohne Voxel</numerusform>
-        </translation>
+            <numerusform>%n Label ohne Voxel</numerusform><numerusform>%n Labels ohne Voxel</numerusform></translation>
     </message>
     <message>
         <source>Structure</source>
@@ -4076,9 +4551,7 @@ Kosinus des Winkels zur nächsten der sechs</translation>
     <message numerus="yes">
         <source>%n more</source>
         <translation>
-            <numerusform>%n weitere</numerusform>
-            <numerusform>%n weitere</numerusform>
-        </translation>
+            <numerusform>%n weitere</numerusform><numerusform>%n weitere</numerusform></translation>
     </message>
     <message>
         <source>Dismiss</source>
@@ -4294,9 +4767,7 @@ Ein auf einer Schicht angeklickter Punkt: ein Klick dort wendet beide Ansichten 
     <message numerus="yes">
         <source>%n views</source>
         <translation>
-            <numerusform>%n Ansicht</numerusform>
-            <numerusform>%n Ansichten</numerusform>
-        </translation>
+            <numerusform>%n Ansicht</numerusform><numerusform>%n Ansichten</numerusform></translation>
     </message>
     <message>
         <source>Finer near the best</source>
@@ -4316,7 +4787,7 @@ Ein auf einer Schicht angeklickter Punkt: ein Klick dort wendet beide Ansichten 
     </message>
     <message>
         <source>Where the second view may be, always 60° to 120° from the first.
-To its right: the half sphere c2·a ≥ 0 around the first view&apos;s right axis a. All around: the band |c1·c2| ≤ sin δ</source>
+To its right: the half sphere c2·a ≥ 0 around the first view's right axis a. All around: the band |c1·c2| ≤ sin δ</source>
         <translation>Wo die zweite Ansicht sein darf, immer 60° bis 120° von der ersten.
 Rechts davon: die Halbkugel c2·a ≥ 0 um die rechte Achse a der ersten Ansicht. Ringsum: das Band |c1·c2| ≤ sin δ</translation>
     </message>
@@ -4329,7 +4800,7 @@ Rechts davon: die Halbkugel c2·a ≥ 0 um die rechte Achse a der ersten Ansicht
         <translation>δ: wie weit die zweite Ansicht vom rechten Winkel zur ersten abweichen darf</translation>
     </message>
     <message>
-        <source>Choose the two views that together see most of the focus&apos;s surface.
+        <source>Choose the two views that together see most of the focus's surface.
 Off: first the best view, then the best one beside it</source>
         <translation>Wählt die zwei Ansichten, die zusammen am meisten von der Oberfläche des Fokus sehen.
 Aus: erst die beste Ansicht, dann die beste daneben</translation>
@@ -4394,11 +4865,11 @@ Aus: erst die beste Ansicht, dann die beste daneben</translation>
         <translation>Vorgabe exportieren</translation>
     </message>
     <message>
-        <source>There is a preset &quot;%1&quot;. Replace it?</source>
+        <source>There is a preset "%1". Replace it?</source>
         <translation>Es gibt eine Vorgabe „%1“. Ersetzen?</translation>
     </message>
     <message>
-        <source>Delete the preset &quot;%1&quot;?</source>
+        <source>Delete the preset "%1"?</source>
         <translation>Vorgabe „%1“ löschen?</translation>
     </message>
     <message>
@@ -4642,11 +5113,11 @@ Aus: erst die beste Ansicht, dann die beste daneben</translation>
         <translation>Wo sind die Daten jetzt?</translation>
     </message>
     <message>
-        <source>The session&apos;s label map is needed.</source>
+        <source>The session's label map is needed.</source>
         <translation>Die Labelkarte der Sitzung wird gebraucht.</translation>
     </message>
     <message>
-        <source>The session&apos;s volume is needed.</source>
+        <source>The session's volume is needed.</source>
         <translation>Das Volumen der Sitzung wird gebraucht.</translation>
     </message>
     <message>
@@ -4662,7 +5133,7 @@ Aus: erst die beste Ansicht, dann die beste daneben</translation>
         <translation>Die Daten</translation>
     </message>
     <message>
-        <source>The data&apos;s folder</source>
+        <source>The data's folder</source>
         <translation>Der Ordner der Daten</translation>
     </message>
     <message>
@@ -4692,9 +5163,7 @@ Aus: erst die beste Ansicht, dann die beste daneben</translation>
     <message numerus="yes">
         <source>%n more</source>
         <translation>
-            <numerusform>%n weitere</numerusform>
-            <numerusform>%n weitere</numerusform>
-        </translation>
+            <numerusform>%n weitere</numerusform><numerusform>%n weitere</numerusform></translation>
     </message>
     <message>
         <source>Save the session</source>
@@ -4749,6 +5218,34 @@ Aus: erst die beste Ansicht, dann die beste daneben</translation>
     <message>
         <source>inverted</source>
         <translation>invertiert</translation>
+    </message>
+    <message>
+        <source>Oblique, %1° from %2</source>
+        <translation>Schräg, %1° von %2</translation>
+    </message>
+    <message>
+        <source>Faces C1, %1° from %2</source>
+        <translation>Zu C1, %1° von %2</translation>
+    </message>
+    <message>
+        <source>Faces C2, %1° from %2</source>
+        <translation>Zu C2, %1° von %2</translation>
+    </message>
+    <message>
+        <source>Neurological</source>
+        <translation>Neurologisch</translation>
+    </message>
+    <message>
+        <source>flipped</source>
+        <translation>gespiegelt</translation>
+    </message>
+    <message>
+        <source>turned by %1°</source>
+        <translation>um %1° gedreht</translation>
+    </message>
+    <message>
+        <source>true size</source>
+        <translation>wahre Größe</translation>
     </message>
 </context>
 <context>
@@ -4814,6 +5311,10 @@ Aus: erst die beste Ansicht, dann die beste daneben</translation>
     <message>
         <source>, %1 % size</source>
         <translation>, %1 % Größe</translation>
+    </message>
+    <message>
+        <source>Neurological convention</source>
+        <translation>Neurologische Konvention</translation>
     </message>
 </context>
 <context>
@@ -4911,16 +5412,12 @@ Aus: erst die beste Ansicht, dann die beste daneben</translation>
     <message numerus="yes">
         <source>There are %n time points here; this is number %1.</source>
         <translation>
-            <numerusform>Hier ist %n Zeitpunkt; dies ist Nummer %1.</numerusform>
-            <numerusform>Hier sind %n Zeitpunkte; dies ist Nummer %1.</numerusform>
-        </translation>
+            <numerusform>Hier ist %n Zeitpunkt; dies ist Nummer %1.</numerusform><numerusform>Hier sind %n Zeitpunkte; dies ist Nummer %1.</numerusform></translation>
     </message>
     <message numerus="yes">
         <source>There are %n series here; open is %1.</source>
         <translation>
-            <numerusform>Hier ist %n Serie; geöffnet ist %1.</numerusform>
-            <numerusform>Hier sind %n Serien; geöffnet ist %1.</numerusform>
-        </translation>
+            <numerusform>Hier ist %n Serie; geöffnet ist %1.</numerusform><numerusform>Hier sind %n Serien; geöffnet ist %1.</numerusform></translation>
     </message>
     <message>
         <source>Choose…</source>
@@ -4937,9 +5434,7 @@ Aus: erst die beste Ansicht, dann die beste daneben</translation>
     <message numerus="yes">
         <source>%n segmentations of this series lie beside it.</source>
         <translation>
-            <numerusform>Daneben liegt %n Segmentierung dieser Serie.</numerusform>
-            <numerusform>Daneben liegen %n Segmentierungen dieser Serie.</numerusform>
-        </translation>
+            <numerusform>Daneben liegt %n Segmentierung dieser Serie.</numerusform><numerusform>Daneben liegen %n Segmentierungen dieser Serie.</numerusform></translation>
     </message>
 </context>
 <context>
@@ -4949,7 +5444,7 @@ Aus: erst die beste Ansicht, dann die beste daneben</translation>
         <translation>%L1 ml</translation>
     </message>
     <message>
-        <source>The region&apos;s volume against its tolerance, both logarithmic. A cliff is a leak; green marks where the region hardly changes</source>
+        <source>The region's volume against its tolerance, both logarithmic. A cliff is a leak; green marks where the region hardly changes</source>
         <translation>Volumen der Region gegen ihre Toleranz, beide logarithmisch. Eine Klippe ist ein Auslaufen; Grün zeigt, wo sich die Region kaum ändert</translation>
     </message>
 </context>
@@ -5179,6 +5674,18 @@ The slices below work without it.</source>
 
 Die Schichten unten funktionieren ohne sie.</translation>
     </message>
+    <message>
+        <source>3-D views are not available here.
+
+%1
+
+The slices work without it.</source>
+        <translation>3-D-Ansichten sind hier nicht verfügbar.
+
+%1
+
+Die Schichten funktionieren ohne sie.</translation>
+    </message>
 </context>
 <context>
     <name>fenestra::viewer::ViewCommands</name>
@@ -5280,7 +5787,7 @@ Die Schichten unten funktionieren ohne sie.</translation>
         <translation>Eingebaute Phantome</translation>
     </message>
     <message>
-        <source>Bodies made of simple shapes, with every structure labelled. Nobody&apos;s data: try everything on them.</source>
+        <source>Bodies made of simple shapes, with every structure labelled. Nobody's data: try everything on them.</source>
         <translation>Körper aus einfachen Formen, jede Struktur mit Label. Niemandes Daten: probieren Sie alles daran aus.</translation>
     </message>
     <message>
@@ -5341,6 +5848,263 @@ Die Schichten unten funktionieren ohne sie.</translation>
     <message>
         <source>&amp;Level</source>
         <translation>&amp;Zentrum</translation>
+    </message>
+</context>
+<context>
+    <name>PlaneMenu</name>
+    <message>
+        <source>Slab of the %1 slice</source>
+        <translation>Schichtpaket der Schicht: %1</translation>
+    </message>
+    <message>
+        <source>Thickness in mm, half of it to each side; 0 is the slice alone:</source>
+        <translation>Dicke in mm, je die Hälfte nach beiden Seiten; 0 ist die Schicht allein:</translation>
+    </message>
+    <message>
+        <source>Off: the slice alone</source>
+        <translation>Aus: die Schicht allein</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%L1 mm</translation>
+    </message>
+    <message>
+        <source>Other: %1 mm…</source>
+        <translation>Andere: %1 mm…</translation>
+    </message>
+    <message>
+        <source>Other…</source>
+        <translation>Andere…</translation>
+    </message>
+    <message>
+        <source>Maximum (MIP)</source>
+        <translation>Maximum (MIP)</translation>
+    </message>
+    <message>
+        <source>Minimum (MinIP)</source>
+        <translation>Minimum (MinIP)</translation>
+    </message>
+    <message>
+        <source>Mean</source>
+        <translation>Mittel</translation>
+    </message>
+    <message>
+        <source>All slices as this one</source>
+        <translation>Alle Schichten wie diese</translation>
+    </message>
+    <message>
+        <source>Slice faces C1</source>
+        <translation>Schicht zu C1 gewandt</translation>
+    </message>
+    <message>
+        <source>Slice faces C2</source>
+        <translation>Schicht zu C2 gewandt</translation>
+    </message>
+    <message>
+        <source>Slab</source>
+        <translation>Schichtpaket</translation>
+    </message>
+    <message>
+        <source>Reset this slice's plane</source>
+        <translation>Ebene dieser Schicht zurücksetzen</translation>
+    </message>
+    <message>
+        <source>Reset all planes</source>
+        <translation>Alle Ebenen zurücksetzen</translation>
+    </message>
+</context>
+<context>
+    <name>PlaneTool</name>
+    <message>
+        <source>%1°</source>
+        <translation>%L1°</translation>
+    </message>
+</context>
+<context>
+    <name>Slab</name>
+    <message>
+        <source>MIP</source>
+        <translation>MIP</translation>
+    </message>
+    <message>
+        <source>MinIP</source>
+        <translation>MinIP</translation>
+    </message>
+    <message>
+        <source>Mean</source>
+        <translation>Mittel</translation>
+    </message>
+    <message>
+        <source>%1 %2 mm</source>
+        <translation>%1 %L2 mm</translation>
+    </message>
+</context>
+<context>
+    <name>ViewArea</name>
+    <message>
+        <source>&amp;Five views</source>
+        <translation>&amp;Fünf Ansichten</translation>
+    </message>
+    <message>
+        <source>C&amp;1 and C2</source>
+        <translation>C&amp;1 und C2</translation>
+    </message>
+    <message>
+        <source>&amp;3-D large, three slices</source>
+        <translation>&amp;3-D groß, drei Schichten</translation>
+    </message>
+    <message>
+        <source>&amp;Slices alone</source>
+        <translation>&amp;Nur Schichten</translation>
+    </message>
+    <message>
+        <source>&amp;Axial large</source>
+        <translation>&amp;Axial groß</translation>
+    </message>
+    <message>
+        <source>F&amp;our: C1 and slices</source>
+        <translation>&amp;Vier: C1 und Schichten</translation>
+    </message>
+    <message>
+        <source>C1 &amp;beside axial</source>
+        <translation>&amp;C1 neben axial</translation>
+    </message>
+</context>
+<context>
+    <name>fenestra::viewer::DockFolding</name>
+    <message>
+        <source>Fold %1</source>
+        <translation>%1 einklappen</translation>
+    </message>
+    <message>
+        <source>Folds this panel to its title, so that those above have more room</source>
+        <translation>Klappt dieses Panel auf seinen Titel ein, damit die darüber mehr Platz haben</translation>
+    </message>
+</context>
+<context>
+    <name>fenestra::viewer::KeyBindings</name>
+    <message>
+        <source>It is not JSON, from character %1 on: %2.</source>
+        <translation>Es ist kein JSON, ab Zeichen %1: %2.</translation>
+    </message>
+    <message>
+        <source>It does not hold Fenestra's keys: choose a file that Export in this dialog wrote.</source>
+        <translation>Sie enthält nicht Fenestras Tasten: wählen Sie eine Datei, die Exportieren in diesem Dialog geschrieben hat.</translation>
+    </message>
+    <message>
+        <source>It was written by a newer version of Fenestra.</source>
+        <translation>Eine neuere Version von Fenestra hat sie geschrieben.</translation>
+    </message>
+    <message>
+        <source>"%1", of "%2", is no key.</source>
+        <translation>„%1“, von „%2“, ist keine Taste.</translation>
+    </message>
+    <message>
+        <source>%1, of "%2", is a key of the views.</source>
+        <translation>%1, von „%2“, ist eine Taste der Ansichten.</translation>
+    </message>
+    <message>
+        <source>%1 is the key of both "%2" and "%3".</source>
+        <translation>%1 ist die Taste von „%2“ und von „%3“.</translation>
+    </message>
+</context>
+<context>
+    <name>fenestra::viewer::KeysDialog</name>
+    <message>
+        <source>Change keys</source>
+        <translation>Tasten ändern</translation>
+    </message>
+    <message>
+        <source>Show entries with these words or keys</source>
+        <translation>Einträge mit diesen Wörtern oder Tasten zeigen</translation>
+    </message>
+    <message>
+        <source>Menu</source>
+        <translation>Menü</translation>
+    </message>
+    <message>
+        <source>Entry</source>
+        <translation>Eintrag</translation>
+    </message>
+    <message>
+        <source>Keys</source>
+        <translation>Tasten</translation>
+    </message>
+    <message>
+        <source>&amp;Take it</source>
+        <translation>Ü&amp;bernehmen</translation>
+    </message>
+    <message>
+        <source>Gives the key to this entry, and the other one loses it</source>
+        <translation>Gibt diesem Eintrag die Taste, und der andere verliert sie</translation>
+    </message>
+    <message>
+        <source>&amp;No key</source>
+        <translation>&amp;Keine Taste</translation>
+    </message>
+    <message>
+        <source>As it &amp;was</source>
+        <translation>&amp;Wie zuvor</translation>
+    </message>
+    <message>
+        <source>The key that the entry comes with</source>
+        <translation>Die Taste, mit der der Eintrag kommt</translation>
+    </message>
+    <message>
+        <source>&amp;Key</source>
+        <translation>&amp;Taste</translation>
+    </message>
+    <message>
+        <source>&amp;All as they were</source>
+        <translation>&amp;Alle wie zuvor</translation>
+    </message>
+    <message>
+        <source>&amp;Export…</source>
+        <translation>&amp;Exportieren…</translation>
+    </message>
+    <message>
+        <source>&amp;Import…</source>
+        <translation>&amp;Importieren…</translation>
+    </message>
+    <message>
+        <source>Click into the box and press the key. Changed keys are bold.</source>
+        <translation>Klicken Sie in das Feld und drücken Sie die Taste. Geänderte Tasten sind fett.</translation>
+    </message>
+    <message>
+        <source>%1 is a key of the views: no entry can have it.</source>
+        <translation>%1 ist eine Taste der Ansichten: kein Eintrag kann sie haben.</translation>
+    </message>
+    <message>
+        <source>%1 is the key of %2 → %3. Take it?</source>
+        <translation>%1 ist die Taste von %2 → %3. Übernehmen?</translation>
+    </message>
+    <message>
+        <source>Export keys</source>
+        <translation>Tasten exportieren</translation>
+    </message>
+    <message>
+        <source>Written to %1.</source>
+        <translation>In %1 geschrieben.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be written: %2. Choose another folder.</source>
+        <translation>%1 lässt sich nicht schreiben: %2. Wählen Sie einen anderen Ordner.</translation>
+    </message>
+    <message>
+        <source>Import keys</source>
+        <translation>Tasten importieren</translation>
+    </message>
+    <message>
+        <source>Keys (*.json);;All files (*)</source>
+        <translation>Tasten (*.json);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>%1 cannot be read: %2.</source>
+        <translation>%1 lässt sich nicht lesen: %2.</translation>
+    </message>
+    <message>
+        <source>Taken over from %1.</source>
+        <translation>Aus %1 übernommen.</translation>
     </message>
 </context>
 </TS>

@@ -247,7 +247,7 @@
         <translation>Mayús+rueda, Mayús+arrastrar</translation>
     </message>
     <message>
-        <source>depth, or by how much the context&apos;s edges change</source>
+        <source>depth, or by how much the context's edges change</source>
         <translation>profundidad, o cuánto cambian las aristas del contexto</translation>
     </message>
     <message>
@@ -267,7 +267,7 @@
         <translation>Función de transferencia</translation>
     </message>
     <message>
-        <source>Drag a point, or a trapezoid&apos;s edge, top or inside</source>
+        <source>Drag a point, or a trapezoid's edge, top or inside</source>
         <translation>Arrastrar un punto, o el lado, la cima o el interior de un trapecio</translation>
     </message>
     <message>
@@ -354,6 +354,50 @@
         <source>show this view alone; Esc shows all</source>
         <translation>mostrar solo esta vista; Esc muestra todas</translation>
     </message>
+    <message>
+        <source>Shift+wheel</source>
+        <translation>Mayús+rueda</translation>
+    </message>
+    <message>
+        <source>thickness of the slab, from the slice alone to 100 mm</source>
+        <translation>grosor del bloque, desde el corte solo hasta 100 mm</translation>
+    </message>
+    <message>
+        <source>The crosshair's lines, on the slices</source>
+        <translation>Las líneas de la cruz, en los cortes</translation>
+    </message>
+    <message>
+        <source>Drag a ball</source>
+        <translation>Arrastrar una bola</translation>
+    </message>
+    <message>
+        <source>turn the plane of that colour</source>
+        <translation>girar el plano de ese color</translation>
+    </message>
+    <message>
+        <source>hold its line to rows, columns and diagonals</source>
+        <translation>ajustar su línea a filas, columnas y diagonales</translation>
+    </message>
+    <message>
+        <source>turn both planes</source>
+        <translation>girar ambos planos</translation>
+    </message>
+    <message>
+        <source>Outlines of the slices, in the 3-D views</source>
+        <translation>Contornos de los cortes, en las vistas 3D</translation>
+    </message>
+    <message>
+        <source>Home, End</source>
+        <translation>Inicio, Fin</translation>
+    </message>
+    <message>
+        <source>first and last slice</source>
+        <translation>primer y último corte</translation>
+    </message>
+    <message>
+        <source>move the picture; on the body only while clicks choose no focus (Focus menu)</source>
+        <translation>mover la imagen; sobre el cuerpo solo si los clics no eligen foco (menú Foco)</translation>
+    </message>
 </context>
 <context>
     <name>Fidelity</name>
@@ -382,11 +426,11 @@
         <translation>se suponen posiciones o tamaños que el archivo no da</translation>
     </message>
     <message>
-        <source>some values are outside of what the file&apos;s header allows</source>
+        <source>some values are outside of what the file's header allows</source>
         <translation>algunos valores están fuera de lo que permite la cabecera</translation>
     </message>
     <message>
-        <source>values are rounded to the precision of the program&apos;s numbers</source>
+        <source>values are rounded to the precision of the program's numbers</source>
         <translation>los valores se redondean a la precisión de los números del programa</translation>
     </message>
     <message>
@@ -438,7 +482,7 @@
         <translation>una parte del volumen está tallada</translation>
     </message>
     <message>
-        <source>the scanner&apos;s table is left out</source>
+        <source>the scanner's table is left out</source>
         <translation>se omite la mesa del escáner</translation>
     </message>
     <message>
@@ -504,6 +548,22 @@
     <message>
         <source>altered</source>
         <translation>alterada</translation>
+    </message>
+    <message>
+        <source>a slab: only the highest value of %1 mm shows</source>
+        <translation>un bloque: solo se ve el valor más alto de %1 mm</translation>
+    </message>
+    <message>
+        <source>a slab: only the lowest value of %1 mm shows</source>
+        <translation>un bloque: solo se ve el valor más bajo de %1 mm</translation>
+    </message>
+    <message>
+        <source>a slab: the mean of %1 mm shows</source>
+        <translation>un bloque: se ve la media de %1 mm</translation>
+    </message>
+    <message>
+        <source>values between voxels are interpolated linearly</source>
+        <translation>los valores entre vóxeles se interpolan linealmente</translation>
     </message>
 </context>
 <context>
@@ -590,11 +650,11 @@
 <context>
     <name>GlSupport</name>
     <message>
-        <source>Qt&apos;s offscreen platform has no OpenGL; unset QT_QPA_PLATFORM.</source>
+        <source>Qt's offscreen platform has no OpenGL; unset QT_QPA_PLATFORM.</source>
         <translation>La plataforma offscreen de Qt no tiene OpenGL; quite QT_QPA_PLATFORM.</translation>
     </message>
     <message>
-        <source>No OpenGL context can be made on this display. Install the graphics driver, or Mesa&apos;s software renderer (Debian: libgl1-mesa-dri); on a remote desktop, start Fenestra there.</source>
+        <source>No OpenGL context can be made on this display. Install the graphics driver, or Mesa's software renderer (Debian: libgl1-mesa-dri); on a remote desktop, start Fenestra there.</source>
         <translation>No se puede crear un contexto OpenGL en esta pantalla. Instale el controlador gráfico o el renderizador por software de Mesa (Debian: libgl1-mesa-dri); en un escritorio remoto, inicie Fenestra allí.</translation>
     </message>
     <message>
@@ -784,6 +844,146 @@
         <source>From the side of the body that the focus is nearer to, rather than through the body, where both show about as much</source>
         <translation>Desde el lado del cuerpo más cercano al foco y no a través del cuerpo, si ambas muestran más o menos lo mismo</translation>
     </message>
+    <message>
+        <source>Depth</source>
+        <translation>Profundidad</translation>
+    </message>
+    <message>
+        <source>How deep the focus lies; below 0 prefers views with little in front of it.
+vd1 = mean depth of the focus's pixels / diameter of the model's sphere</source>
+        <translation>Cuán profundo está el foco; por debajo de 0 prefiere vistas con poco delante.
+vd1 = profundidad media de los píxeles del foco / diámetro de la esfera del modelo</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Tamaño</translation>
+    </message>
+    <message>
+        <source>How large the focus is in the picture.
+vd2 = pixels of the focus / pixels of the picture</source>
+        <translation>Cuán grande es el foco en la imagen.
+vd2 = píxeles del foco / píxeles de la imagen</translation>
+    </message>
+    <message>
+        <source>Centring</source>
+        <translation>Centrado</translation>
+    </message>
+    <message>
+        <source>How near to the middle of the picture it is.
+vd3 = 1 − distance of its centroid from the middle / distance of a corner</source>
+        <translation>Cuán cerca está del centro de la imagen.
+vd3 = 1 − distancia de su centroide al centro / distancia de una esquina</translation>
+    </message>
+    <message>
+        <source>Cut ends</source>
+        <translation>Extremos cortados</translation>
+    </message>
+    <message>
+        <source>Below 0 avoids looking at the focus through a face where the scan cuts the body off.
+Share of the focus's pixels whose rays enter the volume inside the body</source>
+        <translation>Por debajo de 0 evita mirar el foco a través de una cara donde la adquisición corta el cuerpo.
+Parte de los píxeles del foco cuyos rayos entran en el volumen dentro del cuerpo</translation>
+    </message>
+    <message>
+        <source>Evenness</source>
+        <translation>Uniformidad</translation>
+    </message>
+    <message>
+        <source>How much of its surface is seen.
+Viewpoint entropy −Σ p log p of the seen surface points, over its maximum (Bordoloi, Shen 2005)</source>
+        <translation>Cuánto se ve de su superficie.
+Entropía del punto de vista −Σ p log p de los puntos vistos, sobre su máximo (Bordoloi, Shen 2005)</translation>
+    </message>
+    <message>
+        <source>Typical</source>
+        <translation>Típica</translation>
+    </message>
+    <message>
+        <source>How typical the view is of all views.
+1 − Σ p(o|v) log(p(o|v) / p(o)) over its maximum (Viola et al. 2006)</source>
+        <translation>Cuán típica es la vista entre todas.
+1 − Σ p(o|v) log(p(o|v) / p(o)) sobre su máximo (Viola et al. 2006)</translation>
+    </message>
+    <message>
+        <source>Steady</source>
+        <translation>Estable</translation>
+    </message>
+    <message>
+        <source>How little changes when the camera moves a bit.
+1 − Jensen–Shannon divergence to the eight nearest views</source>
+        <translation>Cuán poco cambia cuando la cámara se mueve un poco.
+1 − divergencia de Jensen-Shannon con las ocho vistas más próximas</translation>
+    </message>
+    <message>
+        <source>Standard view</source>
+        <translation>Vista estándar</translation>
+    </message>
+    <message>
+        <source>How near the view is to anterior, left, superior …: a little decides between equally good views.
+Cosine of the angle to the nearest of the six</source>
+        <translation>Cuán cerca está la vista de anterior, izquierda, superior …: un poco decide entre vistas igual de buenas.
+Coseno del ángulo con la más próxima de las seis</translation>
+    </message>
+    <message>
+        <source>Not through cut ends</source>
+        <translation>No a través de extremos cortados</translation>
+    </message>
+    <message>
+        <source>No view within 45° of an end of the scan where the body goes on, while another one shows at least two thirds as much of the focus</source>
+        <translation>Ninguna vista a menos de 45° de un extremo de la adquisición donde el cuerpo continúa, mientras otra muestre al menos dos tercios del foco</translation>
+    </message>
+    <message>
+        <source>From around before from above</source>
+        <translation>De alrededor antes que de arriba</translation>
+    </message>
+    <message>
+        <source>From the front, from behind, the left or the right rather than from above or below, where both show about as much</source>
+        <translation>De frente, de atrás, de la izquierda o la derecha antes que de arriba o abajo, si ambas muestran más o menos lo mismo</translation>
+    </message>
+    <message>
+        <source>Thin stacks from the front</source>
+        <translation>Pilas finas de frente</translation>
+    </message>
+    <message>
+        <source>A stack of a few slices, or one much thinner than wide, is seen from the side from which its slices are shown, not edge-on</source>
+        <translation>Una pila de pocos cortes, o mucho más fina que ancha, se mira desde el lado en que se muestran sus cortes, no de canto</translation>
+    </message>
+    <message>
+        <source>From the near side</source>
+        <translation>Desde el lado cercano</translation>
+    </message>
+    <message>
+        <source>Usual side</source>
+        <translation>Lado habitual</translation>
+    </message>
+    <message>
+        <source>How usual the view is: from the front rather than from the side, from behind, from above or below</source>
+        <translation>Cuán habitual es la vista: de frente antes que de lado, de atrás, de arriba o de abajo</translation>
+    </message>
+    <message>
+        <source>Last view</source>
+        <translation>Última vista</translation>
+    </message>
+    <message>
+        <source>How near the view is to the present one, so that it does not jump</source>
+        <translation>Cuán cerca está la vista de la actual, para que no salte</translation>
+    </message>
+    <message>
+        <source>Shape</source>
+        <translation>Forma</translation>
+    </message>
+    <message>
+        <source>How well the view shows the structure's shape around the point: onto what is flat, across what is long</source>
+        <translation>Cuán bien muestra la vista la forma de la estructura en torno al punto: de frente a lo plano, de través a lo largo</translation>
+    </message>
+    <message>
+        <source>Unhidden</source>
+        <translation>Sin ocultar</translation>
+    </message>
+    <message>
+        <source>How little hides the structure around the point, before anything is cut away</source>
+        <translation>Cuán poco oculta la estructura en torno al punto, antes de cortar nada</translation>
+    </message>
 </context>
 <context>
     <name>Region</name>
@@ -961,7 +1161,7 @@
         <translation>ClearView</translation>
     </message>
     <message>
-        <source>A lens over the focus through which it shows, while what hides it fades towards the lens&apos;s middle and stays where it bends (Krüger, Schneider and Westermann 2006)</source>
+        <source>A lens over the focus through which it shows, while what hides it fades towards the lens's middle and stays where it bends (Krüger, Schneider and Westermann 2006)</source>
         <translation>Una lente sobre el foco a través de la cual se ve, mientras lo que lo oculta se atenúa hacia el centro y queda donde se curva (Krüger, Schneider y Westermann 2006)</translation>
     </message>
     <message>
@@ -969,7 +1169,7 @@
         <translation>La lente conserva</translation>
     </message>
     <message>
-        <source>What stays within ClearView&apos;s lens of what hides the focus, beside its bends</source>
+        <source>What stays within ClearView's lens of what hides the focus, beside its bends</source>
         <translation>Lo que queda en la lente de ClearView de lo que oculta el foco, además de sus curvas</translation>
     </message>
     <message>
@@ -977,7 +1177,7 @@
         <translation>Lente sobre</translation>
     </message>
     <message>
-        <source>What ClearView&apos;s lens lies over, as you see it</source>
+        <source>What ClearView's lens lies over, as you see it</source>
         <translation>Sobre qué está la lente de ClearView, tal como se ve</translation>
     </message>
     <message>
@@ -985,7 +1185,7 @@
         <translation>Lente</translation>
     </message>
     <message>
-        <source>Radius of ClearView&apos;s lens, as a share of the volume&apos;s longest side; its authors use 18.2</source>
+        <source>Radius of ClearView's lens, as a share of the volume's longest side; its authors use 18.2</source>
         <translation>Radio de la lente de ClearView como parte del lado más largo del volumen; sus autores usan 18,2</translation>
     </message>
     <message>
@@ -993,7 +1193,7 @@
         <translation>Curvas conservadas</translation>
     </message>
     <message>
-        <source>How much of the bends of what hides the focus stays within ClearView&apos;s lens; 0 keeps none</source>
+        <source>How much of the bends of what hides the focus stays within ClearView's lens; 0 keeps none</source>
         <translation>Cuánto queda en la lente de ClearView de las curvas de lo que oculta el foco; 0 no conserva nada</translation>
     </message>
     <message>
@@ -1001,7 +1201,7 @@
         <translation>Borde de la lente</translation>
     </message>
     <message>
-        <source>How thin the dark line around ClearView&apos;s lens is: more is thinner</source>
+        <source>How thin the dark line around ClearView's lens is: more is thinner</source>
         <translation>Cuán fina es la línea oscura de la lente de ClearView: más es más fina</translation>
     </message>
     <message>
@@ -1025,7 +1225,7 @@
         <translation>Hacia el borde</translation>
     </message>
     <message>
-        <source>The nearer to the lens&apos;s rim, the more of what hides the focus</source>
+        <source>The nearer to the lens's rim, the more of what hides the focus</source>
         <translation>Cuanto más cerca del borde de la lente, más de lo que oculta el foco</translation>
     </message>
     <message>
@@ -1053,11 +1253,11 @@
         <translation>Un embudo en torno a todo lo enfocado que se ensancha hacia usted con un ángulo: cuanto más profundo el foco, más ancha la abertura (Burns y Finkelstein 2008)</translation>
     </message>
     <message>
-        <source>Cone&apos;s angle</source>
+        <source>Cone's angle</source>
         <translation>Ángulo del cono</translation>
     </message>
     <message>
-        <source>Angle between the axis and the wall of the cone cutaway&apos;s cones: more opens wider</source>
+        <source>Angle between the axis and the wall of the cone cutaway's cones: more opens wider</source>
         <translation>Ángulo entre el eje y la pared de los conos: más abre más</translation>
     </message>
     <message>
@@ -1113,7 +1313,7 @@
         <translation>Cortar según</translation>
     </message>
     <message>
-        <source>Whether the planes of an exploded view lie along the patient&apos;s axes or the view&apos;s</source>
+        <source>Whether the planes of an exploded view lie along the patient's axes or the view's</source>
         <translation>Si los planos siguen los ejes del paciente o los de la vista</translation>
     </message>
     <message>
@@ -1145,7 +1345,7 @@
         <translation>El paciente</translation>
     </message>
     <message>
-        <source>Planes along the patient&apos;s axes: left and right are the patient&apos;s</source>
+        <source>Planes along the patient's axes: left and right are the patient's</source>
         <translation>Planos según los ejes del paciente: izquierda y derecha son las del paciente</translation>
     </message>
     <message>
@@ -1153,7 +1353,7 @@
         <translation>La vista</translation>
     </message>
     <message>
-        <source>Planes along the picture&apos;s axes, which turn with the camera</source>
+        <source>Planes along the picture's axes, which turn with the camera</source>
         <translation>Planos según los ejes de la imagen, que giran con la cámara</translation>
     </message>
     <message>
@@ -1177,7 +1377,7 @@
         <translation>Tamaño de la región</translation>
     </message>
     <message>
-        <source>Radius of the focal region&apos;s sphere, half the side of its box, or its distance from the focus</source>
+        <source>Radius of the focal region's sphere, half the side of its box, or its distance from the focus</source>
         <translation>Radio de la esfera, mitad del lado de la caja, o distancia al foco</translation>
     </message>
     <message>
@@ -1205,7 +1405,7 @@
         <translation>Caja</translation>
     </message>
     <message>
-        <source>A cube along the patient&apos;s axes, around the middle of the focus</source>
+        <source>A cube along the patient's axes, around the middle of the focus</source>
         <translation>Un cubo según los ejes del paciente en torno al centro del foco</translation>
     </message>
     <message>
@@ -1237,7 +1437,7 @@
         <translation>Ensanche</translation>
     </message>
     <message>
-        <source>Angle at which the importance-driven opening widens from the focus&apos;s outline towards the eye</source>
+        <source>Angle at which the importance-driven opening widens from the focus's outline towards the eye</source>
         <translation>Ángulo con que la abertura se ensancha desde el contorno del foco hacia el ojo</translation>
     </message>
     <message>
@@ -1261,7 +1461,7 @@
         <translation>Quitado</translation>
     </message>
     <message>
-        <source>What hides the focus is removed, in a cone that widens from the focus&apos;s outline towards you (maximum importance projection)</source>
+        <source>What hides the focus is removed, in a cone that widens from the focus's outline towards you (maximum importance projection)</source>
         <translation>Lo que oculta el foco se quita, en un cono que se ensancha desde su contorno hacia usted (maximum importance projection)</translation>
     </message>
     <message>
@@ -1285,7 +1485,7 @@
         <translation>Gris</translation>
     </message>
     <message>
-        <source>Less opaque, and grey, so that the colours are the focus&apos;s alone</source>
+        <source>Less opaque, and grey, so that the colours are the focus's alone</source>
         <translation>Menos opaco y gris, para que solo el foco tenga color</translation>
     </message>
     <message>
@@ -1373,7 +1573,7 @@
         <translation>Delante</translation>
     </message>
     <message>
-        <source>The patient&apos;s anterior side</source>
+        <source>The patient's anterior side</source>
         <translation>El lado anterior del paciente</translation>
     </message>
     <message>
@@ -1381,7 +1581,7 @@
         <translation>Detrás</translation>
     </message>
     <message>
-        <source>The patient&apos;s posterior side</source>
+        <source>The patient's posterior side</source>
         <translation>El lado posterior del paciente</translation>
     </message>
     <message>
@@ -1389,7 +1589,7 @@
         <translation>La izquierda</translation>
     </message>
     <message>
-        <source>The patient&apos;s left side</source>
+        <source>The patient's left side</source>
         <translation>El lado izquierdo del paciente</translation>
     </message>
     <message>
@@ -1397,7 +1597,7 @@
         <translation>La derecha</translation>
     </message>
     <message>
-        <source>The patient&apos;s right side</source>
+        <source>The patient's right side</source>
         <translation>El lado derecho del paciente</translation>
     </message>
     <message>
@@ -1405,7 +1605,7 @@
         <translation>Arriba</translation>
     </message>
     <message>
-        <source>The patient&apos;s superior side</source>
+        <source>The patient's superior side</source>
         <translation>El lado superior del paciente</translation>
     </message>
     <message>
@@ -1413,7 +1613,7 @@
         <translation>Abajo</translation>
     </message>
     <message>
-        <source>The patient&apos;s inferior side</source>
+        <source>The patient's inferior side</source>
         <translation>El lado inferior del paciente</translation>
     </message>
     <message>
@@ -1497,7 +1697,7 @@
         <translation>Si el corte coronal en la cruz es una pared</translation>
     </message>
     <message>
-        <source>Whether the labels&apos; outlines are drawn on the walls</source>
+        <source>Whether the labels' outlines are drawn on the walls</source>
         <translation>Si los contornos de las etiquetas se dibujan en las paredes</translation>
     </message>
     <message>
@@ -1573,7 +1773,7 @@
         <translation>Atenuar</translation>
     </message>
     <message>
-        <source>Shows less of the context&apos;s edges over the focus</source>
+        <source>Shows less of the context's edges over the focus</source>
         <translation>Muestra menos aristas del contexto sobre el foco</translation>
     </message>
     <message>
@@ -1581,7 +1781,7 @@
         <translation>Reforzar</translation>
     </message>
     <message>
-        <source>Shows more of the context&apos;s edges over the focus</source>
+        <source>Shows more of the context's edges over the focus</source>
         <translation>Muestra más aristas del contexto sobre el foco</translation>
     </message>
     <message>
@@ -1669,7 +1869,7 @@
         <translation>Un color</translation>
     </message>
     <message>
-        <source>The background&apos;s colour everywhere</source>
+        <source>The background's colour everywhere</source>
         <translation>El color del fondo en todas partes</translation>
     </message>
     <message>
@@ -1677,7 +1877,7 @@
         <translation>Degradado</translation>
     </message>
     <message>
-        <source>From the background&apos;s colour at the bottom to another at the top</source>
+        <source>From the background's colour at the bottom to another at the top</source>
         <translation>Del color del fondo abajo a otro arriba</translation>
     </message>
     <message>
@@ -1785,7 +1985,7 @@
         <translation>Desvío del eje</translation>
     </message>
     <message>
-        <source>Angle between the opening&apos;s axis and the line of sight, so that its depth shows</source>
+        <source>Angle between the opening's axis and the line of sight, so that its depth shows</source>
         <translation>Ángulo entre el eje de la abertura y la línea de visión, para que se vea su profundidad</translation>
     </message>
     <message>
@@ -1793,7 +1993,7 @@
         <translation>Dirección</translation>
     </message>
     <message>
-        <source>To which side of the picture the opening&apos;s axis leans: 0 is the right, 90 the top</source>
+        <source>To which side of the picture the opening's axis leans: 0 is the right, 90 the top</source>
         <translation>Hacia qué lado de la imagen se inclina el eje de la abertura: 0 es la derecha, 90 arriba</translation>
     </message>
     <message>
@@ -1809,7 +2009,7 @@
         <translation>Curvatura</translation>
     </message>
     <message>
-        <source>How much bends of the context&apos;s surface count as edges: eyes, nose, ears</source>
+        <source>How much bends of the context's surface count as edges: eyes, nose, ears</source>
         <translation>Cuánto cuentan como aristas las curvas de la superficie del contexto: ojos, nariz, orejas</translation>
     </message>
     <message>
@@ -1817,7 +2017,7 @@
         <translation>Silueta</translation>
     </message>
     <message>
-        <source>How much the context&apos;s outlines, where its surface is seen edge-on, count as edges</source>
+        <source>How much the context's outlines, where its surface is seen edge-on, count as edges</source>
         <translation>Cuánto cuentan como aristas los contornos del contexto, donde su superficie se ve de canto</translation>
     </message>
     <message>
@@ -1825,7 +2025,7 @@
         <translation>Iluminación</translation>
     </message>
     <message>
-        <source>How much the light on the context&apos;s surface shades its edges; 0 draws them flat</source>
+        <source>How much the light on the context's surface shades its edges; 0 draws them flat</source>
         <translation>Cuánto sombrea las aristas la luz sobre la superficie del contexto; 0 las dibuja planas</translation>
     </message>
     <message>
@@ -1833,7 +2033,7 @@
         <translation>Color propio</translation>
     </message>
     <message>
-        <source>How much the edges take the context&apos;s own colour</source>
+        <source>How much the edges take the context's own colour</source>
         <translation>Cuánto toman las aristas el color propio del contexto</translation>
     </message>
     <message>
@@ -1841,7 +2041,7 @@
         <translation>Saturación</translation>
     </message>
     <message>
-        <source>How saturated the context&apos;s own colour is in its edges</source>
+        <source>How saturated the context's own colour is in its edges</source>
         <translation>Cuán saturado es el color propio del contexto en sus aristas</translation>
     </message>
     <message>
@@ -1857,7 +2057,7 @@
         <translation>Color</translation>
     </message>
     <message>
-        <source>Colour of the context&apos;s edges</source>
+        <source>Colour of the context's edges</source>
         <translation>Color de las aristas del contexto</translation>
     </message>
     <message>
@@ -1997,7 +2197,7 @@
         <translation>Ocultar la mesa</translation>
     </message>
     <message>
-        <source>Whether 3-D pictures of a CT leave out the scanner&apos;s table, head rest and cushions</source>
+        <source>Whether 3-D pictures of a CT leave out the scanner's table, head rest and cushions</source>
         <translation>Si las imágenes 3D de una TC omiten la mesa del escáner, el reposacabezas y los cojines</translation>
     </message>
     <message>
@@ -2061,7 +2261,7 @@
         <translation>Cantidad</translation>
     </message>
     <message>
-        <source>How much of the context&apos;s edges Fade takes or Strengthen adds</source>
+        <source>How much of the context's edges Fade takes or Strengthen adds</source>
         <translation>Cuánto quita Atenuar o añade Reforzar de las aristas del contexto</translation>
     </message>
     <message>
@@ -2069,7 +2269,7 @@
         <translation>Hasta la superficie</translation>
     </message>
     <message>
-        <source>Whether Restore reaches to the context&apos;s first surface, however deep that lies</source>
+        <source>Whether Restore reaches to the context's first surface, however deep that lies</source>
         <translation>Si Restaurar llega hasta la primera superficie del contexto, por profunda que esté</translation>
     </message>
     <message>
@@ -2101,7 +2301,7 @@
         <translation>Solo el corte</translation>
     </message>
     <message>
-        <source>Context&apos;s edges</source>
+        <source>Context's edges</source>
         <translation>Aristas del contexto</translation>
     </message>
     <message>
@@ -2362,7 +2562,7 @@
     </message>
     <message>
         <source>How deep the focus lies; below 0 prefers views with little in front of it.
-vd1 = mean depth of the focus&apos;s pixels / diameter of the model&apos;s sphere</source>
+vd1 = mean depth of the focus's pixels / diameter of the model's sphere</source>
         <translation>Cuán profundo está el foco; por debajo de 0 prefiere vistas con poco delante.
 vd1 = profundidad media de los píxeles del foco / diámetro de la esfera del modelo</translation>
     </message>
@@ -2392,7 +2592,7 @@ vd3 = 1 − distancia de su centroide al centro / distancia de una esquina</tran
     </message>
     <message>
         <source>Below 0 avoids looking at the focus through a face where the scan cuts the body off.
-Share of the focus&apos;s pixels whose rays enter the volume inside the body</source>
+Share of the focus's pixels whose rays enter the volume inside the body</source>
         <translation>Por debajo de 0 evita mirar el foco a través de una cara donde la adquisición corta el cuerpo.
 Parte de los píxeles del foco cuyos rayos entran en el volumen dentro del cuerpo</translation>
     </message>
@@ -2469,7 +2669,7 @@ Coseno del ángulo con la más próxima de las seis</translation>
         <translation>Idioma (al próximo inicio)</translation>
     </message>
     <message>
-        <source>Language of the window&apos;s texts and numbers; it changes when Fenestra starts again</source>
+        <source>Language of the window's texts and numbers; it changes when Fenestra starts again</source>
         <translation>Idioma de los textos y números de la ventana; cambia cuando Fenestra se inicia de nuevo</translation>
     </message>
     <message>
@@ -2493,7 +2693,7 @@ Coseno del ángulo con la más próxima de las seis</translation>
         <translation>Forma</translation>
     </message>
     <message>
-        <source>How well the view shows the structure&apos;s shape around the point: onto what is flat, across what is long</source>
+        <source>How well the view shows the structure's shape around the point: onto what is flat, across what is long</source>
         <translation>Cuán bien muestra la vista la forma de la estructura en torno al punto: de frente a lo plano, de través a lo largo</translation>
     </message>
     <message>
@@ -2503,6 +2703,14 @@ Coseno del ángulo con la más próxima de las seis</translation>
     <message>
         <source>How little hides the structure around the point, before anything is cut away</source>
         <translation>Cuán poco oculta la estructura en torno al punto, antes de cortar nada</translation>
+    </message>
+    <message>
+        <source>Neurological convention</source>
+        <translation>Convención neurológica</translation>
+    </message>
+    <message>
+        <source>Axial and coronal slices show the patient's left on the left; otherwise it is on the right, as radiologists have it</source>
+        <translation>Los cortes axiales y coronales muestran la izquierda del paciente a la izquierda; si no, a la derecha, como en radiología</translation>
     </message>
 </context>
 <context>
@@ -2583,7 +2791,7 @@ Coseno del ángulo con la más próxima de las seis</translation>
         <translation>DICOM, NIfTI, NRRD, MetaImage, MGH, Analyze y TIFF se reconocen por su contenido</translation>
     </message>
     <message>
-        <source>&quot;Hide the table&quot; in the panel Context brings it back</source>
+        <source>"Hide the table" in the panel Context brings it back</source>
         <translation>«Ocultar la mesa» en el panel Contexto la devuelve</translation>
     </message>
     <message>
@@ -3122,8 +3330,277 @@ Coseno del ángulo con la más próxima de las seis</translation>
         <translation>Cal&amp;idad en reposo</translation>
     </message>
     <message>
-        <source>Bound on the error that sampling leaves in a pixel&apos;s colour</source>
+        <source>Bound on the error that sampling leaves in a pixel's colour</source>
         <translation>Cota del error que el muestreo deja en el color de un píxel</translation>
+    </message>
+    <message>
+        <source>&amp;Slices</source>
+        <translation>C&amp;ortes</translation>
+    </message>
+    <message>
+        <source>Face C&amp;1</source>
+        <translation>Frente a C&amp;1</translation>
+    </message>
+    <message>
+        <source>Shift+F</source>
+        <translation>Shift+F</translation>
+    </message>
+    <message>
+        <source>Face C&amp;2</source>
+        <translation>Frente a C&amp;2</translation>
+    </message>
+    <message>
+        <source>&amp;Slab</source>
+        <translation>&amp;Bloque</translation>
+    </message>
+    <message>
+        <source>&amp;Outlines in 3-D</source>
+        <translation>Contornos &amp;en 3D</translation>
+    </message>
+    <message>
+        <source>Shift+O</source>
+        <translation>Shift+O</translation>
+    </message>
+    <message>
+        <source>&amp;Reset the plane</source>
+        <translation>Restablecer el &amp;plano</translation>
+    </message>
+    <message>
+        <source>N</source>
+        <translation>N</translation>
+    </message>
+    <message>
+        <source>Reset &amp;all planes</source>
+        <translation>Restablecer todos &amp;los planos</translation>
+    </message>
+    <message>
+        <source>Shift+N</source>
+        <translation>Shift+N</translation>
+    </message>
+    <message>
+        <source>&amp;Next series</source>
+        <translation>Serie siguie&amp;nte</translation>
+    </message>
+    <message>
+        <source>Ctrl+PgDown</source>
+        <translation>Ctrl+PgDown</translation>
+    </message>
+    <message>
+        <source>Pre&amp;vious series</source>
+        <translation>Serie anteri&amp;or</translation>
+    </message>
+    <message>
+        <source>Ctrl+PgUp</source>
+        <translation>Ctrl+PgUp</translation>
+    </message>
+    <message>
+        <source>&amp;Close study</source>
+        <translation>Cerrar estudio</translation>
+    </message>
+    <message>
+        <source>Ctrl+W</source>
+        <translation>Ctrl+W</translation>
+    </message>
+    <message>
+        <source>Layo&amp;ut of the views</source>
+        <translation>Disposición de las vistas</translation>
+    </message>
+    <message>
+        <source>&amp;One view, the active one</source>
+        <translation>&amp;Una vista, la activa</translation>
+    </message>
+    <message>
+        <source>&amp;Next view</source>
+        <translation>&amp;Vista siguiente</translation>
+    </message>
+    <message>
+        <source>Pre&amp;vious view</source>
+        <translation>V&amp;ista anterior</translation>
+    </message>
+    <message>
+        <source>&amp;Keep this layout…</source>
+        <translation>&amp;Guardar esta disposición…</translation>
+    </message>
+    <message>
+        <source>&amp;Forget</source>
+        <translation>&amp;Olvidar</translation>
+    </message>
+    <message>
+        <source>Keep this layout</source>
+        <translation>Guardar esta disposición</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Nombre</translation>
+    </message>
+    <message>
+        <source>S&amp;lices</source>
+        <translation>&amp;Cortes</translation>
+    </message>
+    <message>
+        <source>&amp;Flip left and right</source>
+        <translation>&amp;Voltear izquierda y derecha</translation>
+    </message>
+    <message>
+        <source>X</source>
+        <translation>X</translation>
+    </message>
+    <message>
+        <source>Flip &amp;up and down</source>
+        <translation>Voltear &amp;arriba y abajo</translation>
+    </message>
+    <message>
+        <source>Y</source>
+        <translation>Y</translation>
+    </message>
+    <message>
+        <source>&amp;Turn by 90°</source>
+        <translation>&amp;Girar 90°</translation>
+    </message>
+    <message>
+        <source>Z</source>
+        <translation>Z</translation>
+    </message>
+    <message>
+        <source>True &amp;size</source>
+        <translation>&amp;Tamaño real</translation>
+    </message>
+    <message>
+        <source>J</source>
+        <translation>J</translation>
+    </message>
+    <message>
+        <source>This screen does not say how large it is, so that true size cannot be shown.</source>
+        <translation>Esta pantalla no dice su tamaño, así que no se puede mostrar el tamaño real.</translation>
+    </message>
+    <message>
+        <source>&amp;Neurological convention</source>
+        <translation>&amp;Convención neurológica</translation>
+    </message>
+    <message>
+        <source>U</source>
+        <translation>U</translation>
+    </message>
+    <message>
+        <source>&amp;Play</source>
+        <translation>&amp;Reproducir</translation>
+    </message>
+    <message>
+        <source>K</source>
+        <translation>K</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n slices a second</source>
+        <translation>
+            <numerusform>%n corte por segundo</numerusform><numerusform>%n cortes por segundo</numerusform></translation>
+    </message>
+    <message>
+        <source>Play fa&amp;ster</source>
+        <translation>&amp;Más rápido</translation>
+    </message>
+    <message>
+        <source>Shift+K</source>
+        <translation>Shift+K</translation>
+    </message>
+    <message>
+        <source>Play slo&amp;wer</source>
+        <translation>Más &amp;despacio</translation>
+    </message>
+    <message>
+        <source>Ctrl+K</source>
+        <translation>Ctrl+K</translation>
+    </message>
+    <message>
+        <source>Ctrl+Y</source>
+        <translation>Ctrl+Y</translation>
+    </message>
+    <message>
+        <source>Change &amp;keys…</source>
+        <translation>&amp;Cambiar teclas…</translation>
+    </message>
+    <message>
+        <source>%1  (%2 % to %3 % of the values)</source>
+        <translation>%1  (%2 % a %3 % de los valores)</translation>
+    </message>
+    <message>
+        <source>SUV 0 to %1</source>
+        <translation>SUV 0 a %1</translation>
+    </message>
+    <message>
+        <source>&amp;My windows</source>
+        <translation>&amp;Mis ventanas</translation>
+    </message>
+    <message>
+        <source>&amp;Keep this window…</source>
+        <translation>&amp;Guardar esta ventana…</translation>
+    </message>
+    <message>
+        <source>%1  (%2 / %3)</source>
+        <translation>%1  (%2 / %3)</translation>
+    </message>
+    <message>
+        <source>Keep this window</source>
+        <translation>Guardar esta ventana</translation>
+    </message>
+    <message>
+        <source>Brain</source>
+        <translation>Cerebro</translation>
+    </message>
+    <message>
+        <source>Abdomen</source>
+        <translation>Abdomen</translation>
+    </message>
+    <message>
+        <source>Mediastinum</source>
+        <translation>Mediastino</translation>
+    </message>
+    <message>
+        <source>Bone</source>
+        <translation>Hueso</translation>
+    </message>
+    <message>
+        <source>Lung</source>
+        <translation>Pulmón</translation>
+    </message>
+    <message>
+        <source>Stroke</source>
+        <translation>Ictus</translation>
+    </message>
+    <message>
+        <source>Subdural</source>
+        <translation>Subdural</translation>
+    </message>
+    <message>
+        <source>Liver</source>
+        <translation>Hígado</translation>
+    </message>
+    <message>
+        <source>Temporal bone</source>
+        <translation>Hueso temporal</translation>
+    </message>
+    <message>
+        <source>Spine, soft tissue</source>
+        <translation>Columna, partes blandas</translation>
+    </message>
+    <message>
+        <source>Spine, bone</source>
+        <translation>Columna, hueso</translation>
+    </message>
+    <message>
+        <source>Usual</source>
+        <translation>Habitual</translation>
+    </message>
+    <message>
+        <source>All but outliers</source>
+        <translation>Todo salvo atípicos</translation>
+    </message>
+    <message>
+        <source>High contrast</source>
+        <translation>Alto contraste</translation>
+    </message>
+    <message>
+        <source>Bright structures</source>
+        <translation>Estructuras brillantes</translation>
     </message>
 </context>
 <context>
@@ -3183,7 +3660,7 @@ Coseno del ángulo con la más próxima de las seis</translation>
         <translation>Ya está abierto hasta el foco</translation>
     </message>
     <message>
-        <source>The context&apos;s edges are switched off</source>
+        <source>The context's edges are switched off</source>
         <translation>Las aristas del contexto están desactivadas</translation>
     </message>
     <message>
@@ -3223,7 +3700,7 @@ Coseno del ángulo con la más próxima de las seis</translation>
         <translation>Método</translation>
     </message>
     <message>
-        <source>Context&apos;s edges</source>
+        <source>Context's edges</source>
         <translation>Aristas del contexto</translation>
     </message>
     <message>
@@ -3313,7 +3790,7 @@ Coseno del ángulo con la más próxima de las seis</translation>
         <translation>Busca la mejor vista del foco y la que la complementa (F5)</translation>
     </message>
     <message>
-        <source>The two views see &lt;b&gt;%1 %&lt;/b&gt; of the focus&apos;s surface</source>
+        <source>The two views see &lt;b&gt;%1 %&lt;/b&gt; of the focus's surface</source>
         <translation>Las dos vistas ven el &lt;b&gt;%1 %&lt;/b&gt; de la superficie del foco</translation>
     </message>
     <message>
@@ -3418,11 +3895,11 @@ Coseno del ángulo con la más próxima de las seis</translation>
         <translation>I – S</translation>
     </message>
     <message>
-        <source>The patient&apos;s right end of the box</source>
+        <source>The patient's right end of the box</source>
         <translation>Extremo derecho de la caja (del paciente)</translation>
     </message>
     <message>
-        <source>The patient&apos;s left end of the box</source>
+        <source>The patient's left end of the box</source>
         <translation>Extremo izquierdo de la caja (del paciente)</translation>
     </message>
     <message>
@@ -3442,7 +3919,7 @@ Coseno del ángulo con la más próxima de las seis</translation>
         <translation>Extremo superior de la caja</translation>
     </message>
     <message>
-        <source>Drag a plane&apos;s square to move it, and the ball at its arrow to tilt it, in any view</source>
+        <source>Drag a plane's square to move it, and the ball at its arrow to tilt it, in any view</source>
         <translation>Arrastre el cuadrado de un plano para moverlo y la bola de su flecha para inclinarlo, en cualquier vista</translation>
     </message>
     <message>
@@ -3466,7 +3943,7 @@ Coseno del ángulo con la más próxima de las seis</translation>
         <translation>Frente a la cámara C1</translation>
     </message>
     <message>
-        <source>3-D pictures show only the inside of a box along the volume&apos;s axes</source>
+        <source>3-D pictures show only the inside of a box along the volume's axes</source>
         <translation>Las imágenes 3D muestran solo el interior de una caja según los ejes del volumen</translation>
     </message>
     <message>
@@ -3548,7 +4025,7 @@ Coseno del ángulo con la más próxima de las seis</translation>
         <translation>Aspecto</translation>
     </message>
     <message>
-        <source>Smooth edges, by several rays a pixel, are the adaptive cutaway&apos;s alone</source>
+        <source>Smooth edges, by several rays a pixel, are the adaptive cutaway's alone</source>
         <translation>Las aristas suaves, con varios rayos por píxel, son solo del seccionado adaptativo</translation>
     </message>
     <message>
@@ -3880,7 +4357,7 @@ Coseno del ángulo con la más próxima de las seis</translation>
 <context>
     <name>fenestra::viewer::LabelList</name>
     <message>
-        <source>No structure&apos;s name has these words.</source>
+        <source>No structure's name has these words.</source>
         <translation>Ninguna estructura tiene estas palabras.</translation>
     </message>
     <message>
@@ -3920,7 +4397,7 @@ Coseno del ángulo con la más próxima de las seis</translation>
         <translation>Color…</translation>
     </message>
     <message>
-        <source>The label map&apos;s own colour</source>
+        <source>The label map's own colour</source>
         <translation>El color propio del mapa de etiquetas</translation>
     </message>
     <message>
@@ -3973,9 +4450,7 @@ Coseno del ángulo con la más próxima de las seis</translation>
     <message numerus="yes">
         <source>%n label(s) without voxels</source>
         <translation>
-            <numerusform>%n etiqueta sin vóxeles</numerusform>
-            <numerusform>%n etiquetas sin vóxeles</numerusform>
-        </translation>
+            <numerusform>%n etiqueta sin vóxeles</numerusform><numerusform>%n etiquetas sin vóxeles</numerusform></translation>
     </message>
     <message>
         <source>Structure</source>
@@ -4076,9 +4551,7 @@ Coseno del ángulo con la más próxima de las seis</translation>
     <message numerus="yes">
         <source>%n more</source>
         <translation>
-            <numerusform>%n más</numerusform>
-            <numerusform>%n más</numerusform>
-        </translation>
+            <numerusform>%n más</numerusform><numerusform>%n más</numerusform></translation>
     </message>
     <message>
         <source>Dismiss</source>
@@ -4294,9 +4767,7 @@ Un punto marcado en un corte: un clic vuelve ambas vistas hacia la estructura de
     <message numerus="yes">
         <source>%n views</source>
         <translation>
-            <numerusform>%n vista</numerusform>
-            <numerusform>%n vistas</numerusform>
-        </translation>
+            <numerusform>%n vista</numerusform><numerusform>%n vistas</numerusform></translation>
     </message>
     <message>
         <source>Finer near the best</source>
@@ -4316,7 +4787,7 @@ Un punto marcado en un corte: un clic vuelve ambas vistas hacia la estructura de
     </message>
     <message>
         <source>Where the second view may be, always 60° to 120° from the first.
-To its right: the half sphere c2·a ≥ 0 around the first view&apos;s right axis a. All around: the band |c1·c2| ≤ sin δ</source>
+To its right: the half sphere c2·a ≥ 0 around the first view's right axis a. All around: the band |c1·c2| ≤ sin δ</source>
         <translation>Dónde puede estar la segunda vista, siempre a 60°–120° de la primera.
 A su derecha: la semiesfera c2·a ≥ 0 en torno al eje derecho a de la primera vista. Alrededor: la banda |c1·c2| ≤ sin δ</translation>
     </message>
@@ -4329,7 +4800,7 @@ A su derecha: la semiesfera c2·a ≥ 0 en torno al eje derecho a de la primera 
         <translation>δ: cuánto puede apartarse la segunda vista del ángulo recto con la primera</translation>
     </message>
     <message>
-        <source>Choose the two views that together see most of the focus&apos;s surface.
+        <source>Choose the two views that together see most of the focus's surface.
 Off: first the best view, then the best one beside it</source>
         <translation>Elige las dos vistas que juntas ven más superficie del foco.
 Desactivado: primero la mejor vista, luego la mejor junto a ella</translation>
@@ -4394,11 +4865,11 @@ Desactivado: primero la mejor vista, luego la mejor junto a ella</translation>
         <translation>Exportar el preajuste</translation>
     </message>
     <message>
-        <source>There is a preset &quot;%1&quot;. Replace it?</source>
+        <source>There is a preset "%1". Replace it?</source>
         <translation>Hay un preajuste «%1». ¿Reemplazarlo?</translation>
     </message>
     <message>
-        <source>Delete the preset &quot;%1&quot;?</source>
+        <source>Delete the preset "%1"?</source>
         <translation>¿Eliminar el preajuste «%1»?</translation>
     </message>
     <message>
@@ -4642,11 +5113,11 @@ Desactivado: primero la mejor vista, luego la mejor junto a ella</translation>
         <translation>¿Dónde están ahora los datos?</translation>
     </message>
     <message>
-        <source>The session&apos;s label map is needed.</source>
+        <source>The session's label map is needed.</source>
         <translation>Se necesita el mapa de etiquetas de la sesión.</translation>
     </message>
     <message>
-        <source>The session&apos;s volume is needed.</source>
+        <source>The session's volume is needed.</source>
         <translation>Se necesita el volumen de la sesión.</translation>
     </message>
     <message>
@@ -4662,7 +5133,7 @@ Desactivado: primero la mejor vista, luego la mejor junto a ella</translation>
         <translation>Los datos</translation>
     </message>
     <message>
-        <source>The data&apos;s folder</source>
+        <source>The data's folder</source>
         <translation>La carpeta de los datos</translation>
     </message>
     <message>
@@ -4692,9 +5163,7 @@ Desactivado: primero la mejor vista, luego la mejor junto a ella</translation>
     <message numerus="yes">
         <source>%n more</source>
         <translation>
-            <numerusform>%n más</numerusform>
-            <numerusform>%n más</numerusform>
-        </translation>
+            <numerusform>%n más</numerusform><numerusform>%n más</numerusform></translation>
     </message>
     <message>
         <source>Save the session</source>
@@ -4749,6 +5218,34 @@ Desactivado: primero la mejor vista, luego la mejor junto a ella</translation>
     <message>
         <source>inverted</source>
         <translation>invertido</translation>
+    </message>
+    <message>
+        <source>Oblique, %1° from %2</source>
+        <translation>Oblicuo, %1° de %2</translation>
+    </message>
+    <message>
+        <source>Faces C1, %1° from %2</source>
+        <translation>Frente a C1, %1° de %2</translation>
+    </message>
+    <message>
+        <source>Faces C2, %1° from %2</source>
+        <translation>Frente a C2, %1° de %2</translation>
+    </message>
+    <message>
+        <source>Neurological</source>
+        <translation>Neurológica</translation>
+    </message>
+    <message>
+        <source>flipped</source>
+        <translation>volteado</translation>
+    </message>
+    <message>
+        <source>turned by %1°</source>
+        <translation>girado %1°</translation>
+    </message>
+    <message>
+        <source>true size</source>
+        <translation>tamaño real</translation>
     </message>
 </context>
 <context>
@@ -4814,6 +5311,10 @@ Desactivado: primero la mejor vista, luego la mejor junto a ella</translation>
     <message>
         <source>, %1 % size</source>
         <translation>, %1 % del tamaño</translation>
+    </message>
+    <message>
+        <source>Neurological convention</source>
+        <translation>Convención neurológica</translation>
     </message>
 </context>
 <context>
@@ -4911,16 +5412,12 @@ Desactivado: primero la mejor vista, luego la mejor junto a ella</translation>
     <message numerus="yes">
         <source>There are %n time points here; this is number %1.</source>
         <translation>
-            <numerusform>Aquí hay %n instante; este es el número %1.</numerusform>
-            <numerusform>Aquí hay %n instantes; este es el número %1.</numerusform>
-        </translation>
+            <numerusform>Aquí hay %n instante; este es el número %1.</numerusform><numerusform>Aquí hay %n instantes; este es el número %1.</numerusform></translation>
     </message>
     <message numerus="yes">
         <source>There are %n series here; open is %1.</source>
         <translation>
-            <numerusform>Aquí hay %n serie; está abierta %1.</numerusform>
-            <numerusform>Aquí hay %n series; está abierta %1.</numerusform>
-        </translation>
+            <numerusform>Aquí hay %n serie; está abierta %1.</numerusform><numerusform>Aquí hay %n series; está abierta %1.</numerusform></translation>
     </message>
     <message>
         <source>Choose…</source>
@@ -4937,9 +5434,7 @@ Desactivado: primero la mejor vista, luego la mejor junto a ella</translation>
     <message numerus="yes">
         <source>%n segmentations of this series lie beside it.</source>
         <translation>
-            <numerusform>Junto a ella hay %n segmentación de esta serie.</numerusform>
-            <numerusform>Junto a ella hay %n segmentaciones de esta serie.</numerusform>
-        </translation>
+            <numerusform>Junto a ella hay %n segmentación de esta serie.</numerusform><numerusform>Junto a ella hay %n segmentaciones de esta serie.</numerusform></translation>
     </message>
 </context>
 <context>
@@ -4949,7 +5444,7 @@ Desactivado: primero la mejor vista, luego la mejor junto a ella</translation>
         <translation>%L1 ml</translation>
     </message>
     <message>
-        <source>The region&apos;s volume against its tolerance, both logarithmic. A cliff is a leak; green marks where the region hardly changes</source>
+        <source>The region's volume against its tolerance, both logarithmic. A cliff is a leak; green marks where the region hardly changes</source>
         <translation>Volumen de la región frente a su tolerancia, ambos logarítmicos. Un acantilado es una fuga; el verde marca donde la región apenas cambia</translation>
     </message>
 </context>
@@ -5179,6 +5674,18 @@ The slices below work without it.</source>
 
 Los cortes de abajo funcionan sin ellas.</translation>
     </message>
+    <message>
+        <source>3-D views are not available here.
+
+%1
+
+The slices work without it.</source>
+        <translation>Las vistas 3D no están disponibles aquí.
+
+%1
+
+Los cortes funcionan sin ellas.</translation>
+    </message>
 </context>
 <context>
     <name>fenestra::viewer::ViewCommands</name>
@@ -5280,7 +5787,7 @@ Los cortes de abajo funcionan sin ellas.</translation>
         <translation>Fantomas incorporados</translation>
     </message>
     <message>
-        <source>Bodies made of simple shapes, with every structure labelled. Nobody&apos;s data: try everything on them.</source>
+        <source>Bodies made of simple shapes, with every structure labelled. Nobody's data: try everything on them.</source>
         <translation>Cuerpos de formas simples, con todas sus estructuras etiquetadas. No son datos de nadie: pruébelo todo en ellos.</translation>
     </message>
     <message>
@@ -5341,6 +5848,263 @@ Los cortes de abajo funcionan sin ellas.</translation>
     <message>
         <source>&amp;Level</source>
         <translation>&amp;Nivel</translation>
+    </message>
+</context>
+<context>
+    <name>PlaneMenu</name>
+    <message>
+        <source>Slab of the %1 slice</source>
+        <translation>Bloque del corte: %1</translation>
+    </message>
+    <message>
+        <source>Thickness in mm, half of it to each side; 0 is the slice alone:</source>
+        <translation>Grosor en mm, la mitad a cada lado; 0 es el corte solo:</translation>
+    </message>
+    <message>
+        <source>Off: the slice alone</source>
+        <translation>Desactivado: el corte solo</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%L1 mm</translation>
+    </message>
+    <message>
+        <source>Other: %1 mm…</source>
+        <translation>Otro: %1 mm…</translation>
+    </message>
+    <message>
+        <source>Other…</source>
+        <translation>Otro…</translation>
+    </message>
+    <message>
+        <source>Maximum (MIP)</source>
+        <translation>Máximo (MIP)</translation>
+    </message>
+    <message>
+        <source>Minimum (MinIP)</source>
+        <translation>Mínimo (MinIP)</translation>
+    </message>
+    <message>
+        <source>Mean</source>
+        <translation>Media</translation>
+    </message>
+    <message>
+        <source>All slices as this one</source>
+        <translation>Todos los cortes como este</translation>
+    </message>
+    <message>
+        <source>Slice faces C1</source>
+        <translation>Corte frente a C1</translation>
+    </message>
+    <message>
+        <source>Slice faces C2</source>
+        <translation>Corte frente a C2</translation>
+    </message>
+    <message>
+        <source>Slab</source>
+        <translation>Bloque</translation>
+    </message>
+    <message>
+        <source>Reset this slice's plane</source>
+        <translation>Restablecer el plano de este corte</translation>
+    </message>
+    <message>
+        <source>Reset all planes</source>
+        <translation>Restablecer todos los planos</translation>
+    </message>
+</context>
+<context>
+    <name>PlaneTool</name>
+    <message>
+        <source>%1°</source>
+        <translation>%L1°</translation>
+    </message>
+</context>
+<context>
+    <name>Slab</name>
+    <message>
+        <source>MIP</source>
+        <translation>MIP</translation>
+    </message>
+    <message>
+        <source>MinIP</source>
+        <translation>MinIP</translation>
+    </message>
+    <message>
+        <source>Mean</source>
+        <translation>Media</translation>
+    </message>
+    <message>
+        <source>%1 %2 mm</source>
+        <translation>%1 %L2 mm</translation>
+    </message>
+</context>
+<context>
+    <name>ViewArea</name>
+    <message>
+        <source>&amp;Five views</source>
+        <translation>&amp;Cinco vistas</translation>
+    </message>
+    <message>
+        <source>C&amp;1 and C2</source>
+        <translation>C&amp;1 y C2</translation>
+    </message>
+    <message>
+        <source>&amp;3-D large, three slices</source>
+        <translation>&amp;3D grande, tres cortes</translation>
+    </message>
+    <message>
+        <source>&amp;Slices alone</source>
+        <translation>&amp;Solo cortes</translation>
+    </message>
+    <message>
+        <source>&amp;Axial large</source>
+        <translation>&amp;Axial grande</translation>
+    </message>
+    <message>
+        <source>F&amp;our: C1 and slices</source>
+        <translation>Cuatro: C1 &amp;y cortes</translation>
+    </message>
+    <message>
+        <source>C1 &amp;beside axial</source>
+        <translation>C1 &amp;junto a axial</translation>
+    </message>
+</context>
+<context>
+    <name>fenestra::viewer::DockFolding</name>
+    <message>
+        <source>Fold %1</source>
+        <translation>Plegar %1</translation>
+    </message>
+    <message>
+        <source>Folds this panel to its title, so that those above have more room</source>
+        <translation>Pliega este panel a su título, para dar más sitio a los de arriba</translation>
+    </message>
+</context>
+<context>
+    <name>fenestra::viewer::KeyBindings</name>
+    <message>
+        <source>It is not JSON, from character %1 on: %2.</source>
+        <translation>No es JSON, desde el carácter %1: %2.</translation>
+    </message>
+    <message>
+        <source>It does not hold Fenestra's keys: choose a file that Export in this dialog wrote.</source>
+        <translation>No contiene las teclas de Fenestra: elija un archivo escrito con Exportar en este diálogo.</translation>
+    </message>
+    <message>
+        <source>It was written by a newer version of Fenestra.</source>
+        <translation>Lo escribió una versión más reciente de Fenestra.</translation>
+    </message>
+    <message>
+        <source>"%1", of "%2", is no key.</source>
+        <translation>«%1», de «%2», no es una tecla.</translation>
+    </message>
+    <message>
+        <source>%1, of "%2", is a key of the views.</source>
+        <translation>%1, de «%2», es una tecla de las vistas.</translation>
+    </message>
+    <message>
+        <source>%1 is the key of both "%2" and "%3".</source>
+        <translation>%1 es la tecla de «%2» y de «%3».</translation>
+    </message>
+</context>
+<context>
+    <name>fenestra::viewer::KeysDialog</name>
+    <message>
+        <source>Change keys</source>
+        <translation>Cambiar teclas</translation>
+    </message>
+    <message>
+        <source>Show entries with these words or keys</source>
+        <translation>Mostrar entradas con estas palabras o teclas</translation>
+    </message>
+    <message>
+        <source>Menu</source>
+        <translation>Menú</translation>
+    </message>
+    <message>
+        <source>Entry</source>
+        <translation>Entrada</translation>
+    </message>
+    <message>
+        <source>Keys</source>
+        <translation>Teclas</translation>
+    </message>
+    <message>
+        <source>&amp;Take it</source>
+        <translation>&amp;Tomarla</translation>
+    </message>
+    <message>
+        <source>Gives the key to this entry, and the other one loses it</source>
+        <translation>Da la tecla a esta entrada, y la otra la pierde</translation>
+    </message>
+    <message>
+        <source>&amp;No key</source>
+        <translation>&amp;Sin tecla</translation>
+    </message>
+    <message>
+        <source>As it &amp;was</source>
+        <translation>&amp;Como estaba</translation>
+    </message>
+    <message>
+        <source>The key that the entry comes with</source>
+        <translation>La tecla con la que viene la entrada</translation>
+    </message>
+    <message>
+        <source>&amp;Key</source>
+        <translation>T&amp;ecla</translation>
+    </message>
+    <message>
+        <source>&amp;All as they were</source>
+        <translation>T&amp;odas como estaban</translation>
+    </message>
+    <message>
+        <source>&amp;Export…</source>
+        <translation>E&amp;xportar…</translation>
+    </message>
+    <message>
+        <source>&amp;Import…</source>
+        <translation>&amp;Importar…</translation>
+    </message>
+    <message>
+        <source>Click into the box and press the key. Changed keys are bold.</source>
+        <translation>Haga clic en la casilla y pulse la tecla. Las teclas cambiadas están en negrita.</translation>
+    </message>
+    <message>
+        <source>%1 is a key of the views: no entry can have it.</source>
+        <translation>%1 es una tecla de las vistas: ninguna entrada puede tenerla.</translation>
+    </message>
+    <message>
+        <source>%1 is the key of %2 → %3. Take it?</source>
+        <translation>%1 es la tecla de %2 → %3. ¿Tomarla?</translation>
+    </message>
+    <message>
+        <source>Export keys</source>
+        <translation>Exportar teclas</translation>
+    </message>
+    <message>
+        <source>Written to %1.</source>
+        <translation>Escrito en %1.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be written: %2. Choose another folder.</source>
+        <translation>No se puede escribir %1: %2. Elija otra carpeta.</translation>
+    </message>
+    <message>
+        <source>Import keys</source>
+        <translation>Importar teclas</translation>
+    </message>
+    <message>
+        <source>Keys (*.json);;All files (*)</source>
+        <translation>Teclas (*.json);;Todos los archivos (*)</translation>
+    </message>
+    <message>
+        <source>%1 cannot be read: %2.</source>
+        <translation>No se puede leer %1: %2.</translation>
+    </message>
+    <message>
+        <source>Taken over from %1.</source>
+        <translation>Tomado de %1.</translation>
     </message>
 </context>
 </TS>

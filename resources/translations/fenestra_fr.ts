@@ -20,7 +20,7 @@
     <name>Dialogs</name>
     <message>
         <source>Menu: %1</source>
-        <translation>Menu&#xa0;: %1</translation>
+        <translation>Menu : %1</translation>
     </message>
     <message>
         <source>Keys and mouse</source>
@@ -36,7 +36,7 @@
     </message>
     <message>
         <source> (shader schedule: %1)</source>
-        <translation> (ordonnancement des shaders&#xa0;: %1)</translation>
+        <translation> (ordonnancement des shaders : %1)</translation>
     </message>
     <message>
         <source>About Fenestra</source>
@@ -44,7 +44,7 @@
     </message>
     <message>
         <source>&lt;h3&gt;Fenestra %1&lt;/h3&gt;&lt;p&gt;A medical volume viewer that opens an adaptive cutaway around the structure you want to see.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Not for diagnostic use.&lt;/b&gt;&lt;/p&gt;&lt;p&gt;Free software under the GNU General Public License, version 3 or later. It comes with no warranty.&lt;/p&gt;&lt;p&gt;3-D views: %2&lt;/p&gt;</source>
-        <translation>&lt;h3&gt;Fenestra %1&lt;/h3&gt;&lt;p&gt;Une visionneuse de volumes médicaux qui ouvre un écorché adaptatif autour de la structure à voir.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Ne pas utiliser pour le diagnostic.&lt;/b&gt;&lt;/p&gt;&lt;p&gt;Logiciel libre sous licence publique générale GNU, version 3 ou ultérieure. Sans aucune garantie.&lt;/p&gt;&lt;p&gt;Vues 3D&#xa0;: %2&lt;/p&gt;</translation>
+        <translation>&lt;h3&gt;Fenestra %1&lt;/h3&gt;&lt;p&gt;Une visionneuse de volumes médicaux qui ouvre un écorché adaptatif autour de la structure à voir.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Ne pas utiliser pour le diagnostic.&lt;/b&gt;&lt;/p&gt;&lt;p&gt;Logiciel libre sous licence publique générale GNU, version 3 ou ultérieure. Sans aucune garantie.&lt;/p&gt;&lt;p&gt;Vues 3D : %2&lt;/p&gt;</translation>
     </message>
     <message>
         <source>Slices</source>
@@ -56,7 +56,7 @@
     </message>
     <message>
         <source>crosshair; the label there, or the region around the place, becomes the focus</source>
-        <translation>réticule&#xa0;; l&apos;étiquette à cet endroit, ou la région autour, devient la cible</translation>
+        <translation>réticule ; l'étiquette à cet endroit, ou la région autour, devient la cible</translation>
     </message>
     <message>
         <source>Ctrl+click</source>
@@ -64,7 +64,7 @@
     </message>
     <message>
         <source>the label joins or leaves the focus</source>
-        <translation>l&apos;étiquette rejoint ou quitte la cible</translation>
+        <translation>l'étiquette rejoint ou quitte la cible</translation>
     </message>
     <message>
         <source>Drag</source>
@@ -108,7 +108,7 @@
     </message>
     <message>
         <source>draw the measure whose tool is chosen; Esc ends it</source>
-        <translation>dessiner la mesure choisie&#xa0;; Échap la termine</translation>
+        <translation>dessiner la mesure choisie ; Échap la termine</translation>
     </message>
     <message>
         <source>Drag a handle or line</source>
@@ -116,7 +116,7 @@
     </message>
     <message>
         <source>move the end, or the measure</source>
-        <translation>déplacer l&apos;extrémité ou la mesure</translation>
+        <translation>déplacer l'extrémité ou la mesure</translation>
     </message>
     <message>
         <source>Right click on it</source>
@@ -140,7 +140,7 @@
     </message>
     <message>
         <source>Drag the ball at an arrow</source>
-        <translation>Glisser la boule d&apos;une flèche</translation>
+        <translation>Glisser la boule d'une flèche</translation>
     </message>
     <message>
         <source>tilt the plane</source>
@@ -164,11 +164,11 @@
     </message>
     <message>
         <source>rotate; the linked view follows</source>
-        <translation>tourner&#xa0;; la vue liée suit</translation>
+        <translation>tourner ; la vue liée suit</translation>
     </message>
     <message>
         <source>crosshair to what is seen there; its label or region becomes the focus</source>
-        <translation>réticule sur ce qu&apos;on y voit&#xa0;; son étiquette ou sa région devient la cible</translation>
+        <translation>réticule sur ce qu'on y voit ; son étiquette ou sa région devient la cible</translation>
     </message>
     <message>
         <source>its label joins or leaves the focus</source>
@@ -192,11 +192,11 @@
     </message>
     <message>
         <source>add what is there to the region</source>
-        <translation>ajouter à la région ce qui s&apos;y trouve</translation>
+        <translation>ajouter à la région ce qui s'y trouve</translation>
     </message>
     <message>
         <source>take what is there away from the region</source>
-        <translation>retirer de la région ce qui s&apos;y trouve</translation>
+        <translation>retirer de la région ce qui s'y trouve</translation>
     </message>
     <message>
         <source>Shift+drag</source>
@@ -204,7 +204,7 @@
     </message>
     <message>
         <source>draw a ball around a structure: the region that grows there stays within it</source>
-        <translation>tracer une boule autour d&apos;une structure&#xa0;: la région qui y croît reste dedans</translation>
+        <translation>tracer une boule autour d'une structure : la région qui y croît reste dedans</translation>
     </message>
     <message>
         <source>Alt+wheel</source>
@@ -247,7 +247,7 @@
         <translation>Maj+molette, Maj+glisser</translation>
     </message>
     <message>
-        <source>depth, or by how much the context&apos;s edges change</source>
+        <source>depth, or by how much the context's edges change</source>
         <translation>profondeur, ou de combien changent les arêtes du contexte</translation>
     </message>
     <message>
@@ -267,12 +267,12 @@
         <translation>Fonction de transfert</translation>
     </message>
     <message>
-        <source>Drag a point, or a trapezoid&apos;s edge, top or inside</source>
-        <translation>Glisser un point, ou le bord, le haut ou l&apos;intérieur d&apos;un trapèze</translation>
+        <source>Drag a point, or a trapezoid's edge, top or inside</source>
+        <translation>Glisser un point, ou le bord, le haut ou l'intérieur d'un trapèze</translation>
     </message>
     <message>
         <source>move it; with Shift across or up and down alone; Esc takes it back</source>
-        <translation>le déplacer&#xa0;; avec Maj, horizontalement ou verticalement seulement&#xa0;; Échap annule</translation>
+        <translation>le déplacer ; avec Maj, horizontalement ou verticalement seulement ; Échap annule</translation>
     </message>
     <message>
         <source>Double-click</source>
@@ -288,7 +288,7 @@
     </message>
     <message>
         <source>colour, delete, and add a point or a trapezoid</source>
-        <translation>couleur, suppression, ajout d&apos;un point ou d&apos;un trapèze</translation>
+        <translation>couleur, suppression, ajout d'un point ou d'un trapèze</translation>
     </message>
     <message>
         <source>Wheel, middle drag</source>
@@ -296,7 +296,7 @@
     </message>
     <message>
         <source>enlarge the values, and move along them</source>
-        <translation>agrandir les valeurs et s&apos;y déplacer</translation>
+        <translation>agrandir les valeurs et s'y déplacer</translation>
     </message>
     <message>
         <source>Arrows</source>
@@ -304,7 +304,7 @@
     </message>
     <message>
         <source>move the point; with Shift ten times as far, with Alt its whole trapezoid</source>
-        <translation>déplacer le point&#xa0;; avec Maj dix fois plus, avec Alt tout son trapèze</translation>
+        <translation>déplacer le point ; avec Maj dix fois plus, avec Alt tout son trapèze</translation>
     </message>
     <message>
         <source>Page up, Page down, Home, End</source>
@@ -332,7 +332,7 @@
     </message>
     <message>
         <source>move the picture</source>
-        <translation>déplacer l&apos;image</translation>
+        <translation>déplacer l'image</translation>
     </message>
     <message>
         <source>Right drag, Ctrl+wheel</source>
@@ -352,18 +352,62 @@
     </message>
     <message>
         <source>show this view alone; Esc shows all</source>
-        <translation>afficher cette vue seule&#xa0;; Échap les affiche toutes</translation>
+        <translation>afficher cette vue seule ; Échap les affiche toutes</translation>
+    </message>
+    <message>
+        <source>Shift+wheel</source>
+        <translation>Maj+molette</translation>
+    </message>
+    <message>
+        <source>thickness of the slab, from the slice alone to 100 mm</source>
+        <translation>épaisseur du bloc, de la coupe seule à 100 mm</translation>
+    </message>
+    <message>
+        <source>The crosshair's lines, on the slices</source>
+        <translation>Les lignes du réticule, sur les coupes</translation>
+    </message>
+    <message>
+        <source>Drag a ball</source>
+        <translation>Glisser une boule</translation>
+    </message>
+    <message>
+        <source>turn the plane of that colour</source>
+        <translation>tourner le plan de cette couleur</translation>
+    </message>
+    <message>
+        <source>hold its line to rows, columns and diagonals</source>
+        <translation>caler sa ligne sur lignes, colonnes et diagonales</translation>
+    </message>
+    <message>
+        <source>turn both planes</source>
+        <translation>tourner les deux plans</translation>
+    </message>
+    <message>
+        <source>Outlines of the slices, in the 3-D views</source>
+        <translation>Contours des coupes, dans les vues 3D</translation>
+    </message>
+    <message>
+        <source>Home, End</source>
+        <translation>Début, Fin</translation>
+    </message>
+    <message>
+        <source>first and last slice</source>
+        <translation>première et dernière coupe</translation>
+    </message>
+    <message>
+        <source>move the picture; on the body only while clicks choose no focus (Focus menu)</source>
+        <translation>déplacer l'image ; sur le corps seulement si les clics ne choisissent pas de cible (menu Cible)</translation>
     </message>
 </context>
 <context>
     <name>Fidelity</name>
     <message>
         <source>slices are shown up to %1 mm from their true places</source>
-        <translation>les coupes sont affichées jusqu&apos;à %1 mm de leur place réelle</translation>
+        <translation>les coupes sont affichées jusqu'à %1 mm de leur place réelle</translation>
     </message>
     <message>
         <source>tilt is made straight: %1 slices are resampled onto %2 planes</source>
-        <translation>inclinaison redressée&#xa0;: %1 coupes rééchantillonnées sur %2 plans</translation>
+        <translation>inclinaison redressée : %1 coupes rééchantillonnées sur %2 plans</translation>
     </message>
     <message>
         <source>%1 slices are resampled onto %2 even planes</source>
@@ -371,7 +415,7 @@
     </message>
     <message>
         <source>this plane was not scanned: it is interpolated across a gap</source>
-        <translation>ce plan n&apos;a pas été acquis&#xa0;: il est interpolé au-dessus d&apos;un vide</translation>
+        <translation>ce plan n'a pas été acquis : il est interpolé au-dessus d'un vide</translation>
     </message>
     <message>
         <source>%1 of %2 planes are interpolated across gaps</source>
@@ -382,11 +426,11 @@
         <translation>des positions ou tailles sont supposées, car le fichier ne les donne pas</translation>
     </message>
     <message>
-        <source>some values are outside of what the file&apos;s header allows</source>
-        <translation>certaines valeurs sortent de ce que l&apos;en-tête autorise</translation>
+        <source>some values are outside of what the file's header allows</source>
+        <translation>certaines valeurs sortent de ce que l'en-tête autorise</translation>
     </message>
     <message>
-        <source>values are rounded to the precision of the program&apos;s numbers</source>
+        <source>values are rounded to the precision of the program's numbers</source>
         <translation>les valeurs sont arrondies à la précision des nombres du programme</translation>
     </message>
     <message>
@@ -403,7 +447,7 @@
     </message>
     <message>
         <source>slices of another size or direction are shown as the first one</source>
-        <translation>les coupes d&apos;autre taille ou direction sont affichées comme la première</translation>
+        <translation>les coupes d'autre taille ou direction sont affichées comme la première</translation>
     </message>
     <message>
         <source>the data differ from those of the session</source>
@@ -438,16 +482,16 @@
         <translation>une partie du volume est sculptée</translation>
     </message>
     <message>
-        <source>the scanner&apos;s table is left out</source>
+        <source>the scanner's table is left out</source>
         <translation>la table du scanner est omise</translation>
     </message>
     <message>
         <source>parts are moved apart: distances between them do not hold</source>
-        <translation>des parties sont écartées&#xa0;: les distances entre elles ne valent pas</translation>
+        <translation>des parties sont écartées : les distances entre elles ne valent pas</translation>
     </message>
     <message>
         <source>a layer is rolled up: distances on it do not hold</source>
-        <translation>une couche est enroulée&#xa0;: les distances sur elle ne valent pas</translation>
+        <translation>une couche est enroulée : les distances sur elle ne valent pas</translation>
     </message>
     <message>
         <source>values are smoothed between voxels</source>
@@ -475,11 +519,11 @@
     </message>
     <message>
         <source>the sampling error has no bound (quality: %1)</source>
-        <translation>l&apos;erreur d&apos;échantillonnage n&apos;est pas bornée (qualité&#xa0;: %1)</translation>
+        <translation>l'erreur d'échantillonnage n'est pas bornée (qualité : %1)</translation>
     </message>
     <message>
         <source>the sampling error is at most %1/255</source>
-        <translation>l&apos;erreur d&apos;échantillonnage est au plus %L1/255</translation>
+        <translation>l'erreur d'échantillonnage est au plus %L1/255</translation>
     </message>
     <message>
         <source>not verified</source>
@@ -487,7 +531,7 @@
     </message>
     <message>
         <source>verified: %1</source>
-        <translation>vérifiée&#xa0;: %1</translation>
+        <translation>vérifiée : %1</translation>
     </message>
     <message>
         <source>not yet what was asked for</source>
@@ -504,6 +548,22 @@
     <message>
         <source>altered</source>
         <translation>altérée</translation>
+    </message>
+    <message>
+        <source>a slab: only the highest value of %1 mm shows</source>
+        <translation>un bloc : seule la plus haute valeur de %1 mm se voit</translation>
+    </message>
+    <message>
+        <source>a slab: only the lowest value of %1 mm shows</source>
+        <translation>un bloc : seule la plus basse valeur de %1 mm se voit</translation>
+    </message>
+    <message>
+        <source>a slab: the mean of %1 mm shows</source>
+        <translation>un bloc : la moyenne de %1 mm se voit</translation>
+    </message>
+    <message>
+        <source>values between voxels are interpolated linearly</source>
+        <translation>les valeurs entre voxels sont interpolées linéairement</translation>
     </message>
 </context>
 <context>
@@ -530,11 +590,11 @@
     </message>
     <message>
         <source>Label maps (*.dcm %1);;All files (*)</source>
-        <translation>Cartes d&apos;étiquettes (*.dcm %1);;Tous les fichiers (*)</translation>
+        <translation>Cartes d'étiquettes (*.dcm %1);;Tous les fichiers (*)</translation>
     </message>
     <message>
         <source>Open a label map</source>
-        <translation>Ouvrir une carte d&apos;étiquettes</translation>
+        <translation>Ouvrir une carte d'étiquettes</translation>
     </message>
     <message>
         <source>Open a folder of masks</source>
@@ -542,15 +602,15 @@
     </message>
     <message>
         <source>Tables of labels (*.txt *.tsv *.csv *.label *.ctbl *.lut);;All files (*)</source>
-        <translation>Tables d&apos;étiquettes (*.txt *.tsv *.csv *.label *.ctbl *.lut);;Tous les fichiers (*)</translation>
+        <translation>Tables d'étiquettes (*.txt *.tsv *.csv *.label *.ctbl *.lut);;Tous les fichiers (*)</translation>
     </message>
     <message>
         <source>Open a table of labels</source>
-        <translation>Ouvrir une table d&apos;étiquettes</translation>
+        <translation>Ouvrir une table d'étiquettes</translation>
     </message>
     <message>
         <source>How large the voxels are:</source>
-        <translation>Taille des voxels&#xa0;:</translation>
+        <translation>Taille des voxels :</translation>
     </message>
 </context>
 <context>
@@ -584,18 +644,18 @@
     </message>
     <message>
         <source>Focus: %1</source>
-        <translation>Cible&#xa0;: %1</translation>
+        <translation>Cible : %1</translation>
     </message>
 </context>
 <context>
     <name>GlSupport</name>
     <message>
-        <source>Qt&apos;s offscreen platform has no OpenGL; unset QT_QPA_PLATFORM.</source>
-        <translation>La plateforme offscreen de Qt n&apos;a pas OpenGL&#xa0;; supprimez QT_QPA_PLATFORM.</translation>
+        <source>Qt's offscreen platform has no OpenGL; unset QT_QPA_PLATFORM.</source>
+        <translation>La plateforme offscreen de Qt n'a pas OpenGL ; supprimez QT_QPA_PLATFORM.</translation>
     </message>
     <message>
-        <source>No OpenGL context can be made on this display. Install the graphics driver, or Mesa&apos;s software renderer (Debian: libgl1-mesa-dri); on a remote desktop, start Fenestra there.</source>
-        <translation>Aucun contexte OpenGL ne peut être créé sur cet écran. Installez le pilote graphique ou le rendu logiciel de Mesa (Debian&#xa0;: libgl1-mesa-dri)&#xa0;; sur un bureau distant, lancez Fenestra là-bas.</translation>
+        <source>No OpenGL context can be made on this display. Install the graphics driver, or Mesa's software renderer (Debian: libgl1-mesa-dri); on a remote desktop, start Fenestra there.</source>
+        <translation>Aucun contexte OpenGL ne peut être créé sur cet écran. Installez le pilote graphique ou le rendu logiciel de Mesa (Debian : libgl1-mesa-dri) ; sur un bureau distant, lancez Fenestra là-bas.</translation>
     </message>
     <message>
         <source>OpenGL cannot draw on this display. On a remote desktop, use one with GLX.</source>
@@ -603,7 +663,7 @@
     </message>
     <message>
         <source>%1 (LIBGL_ALWAYS_SOFTWARE=1 in the environment selects it).</source>
-        <translation>%1 (LIBGL_ALWAYS_SOFTWARE=1 dans l&apos;environnement le sélectionne).</translation>
+        <translation>%1 (LIBGL_ALWAYS_SOFTWARE=1 dans l'environnement le sélectionne).</translation>
     </message>
 </context>
 <context>
@@ -782,22 +842,162 @@
     <name>PlacementForm</name>
     <message>
         <source>From the side of the body that the focus is nearer to, rather than through the body, where both show about as much</source>
-        <translation>Du côté du corps dont la cible est la plus proche plutôt qu&apos;à travers le corps, si les deux montrent à peu près autant</translation>
+        <translation>Du côté du corps dont la cible est la plus proche plutôt qu'à travers le corps, si les deux montrent à peu près autant</translation>
+    </message>
+    <message>
+        <source>Depth</source>
+        <translation>Profondeur</translation>
+    </message>
+    <message>
+        <source>How deep the focus lies; below 0 prefers views with little in front of it.
+vd1 = mean depth of the focus's pixels / diameter of the model's sphere</source>
+        <translation>Profondeur de la cible ; sous 0, préfère les vues avec peu de choses devant.
+vd1 = profondeur moyenne des pixels de la cible / diamètre de la sphère du modèle</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Taille</translation>
+    </message>
+    <message>
+        <source>How large the focus is in the picture.
+vd2 = pixels of the focus / pixels of the picture</source>
+        <translation>Taille de la cible dans l'image.
+vd2 = pixels de la cible / pixels de l'image</translation>
+    </message>
+    <message>
+        <source>Centring</source>
+        <translation>Centrage</translation>
+    </message>
+    <message>
+        <source>How near to the middle of the picture it is.
+vd3 = 1 − distance of its centroid from the middle / distance of a corner</source>
+        <translation>Proximité du milieu de l'image.
+vd3 = 1 − distance de son centre de gravité au milieu / distance d'un coin</translation>
+    </message>
+    <message>
+        <source>Cut ends</source>
+        <translation>Extrémités coupées</translation>
+    </message>
+    <message>
+        <source>Below 0 avoids looking at the focus through a face where the scan cuts the body off.
+Share of the focus's pixels whose rays enter the volume inside the body</source>
+        <translation>Sous 0, évite de regarder la cible à travers une face où l'acquisition coupe le corps.
+Part des pixels de la cible dont les rayons entrent dans le volume à l'intérieur du corps</translation>
+    </message>
+    <message>
+        <source>Evenness</source>
+        <translation>Uniformité</translation>
+    </message>
+    <message>
+        <source>How much of its surface is seen.
+Viewpoint entropy −Σ p log p of the seen surface points, over its maximum (Bordoloi, Shen 2005)</source>
+        <translation>Part visible de sa surface.
+Entropie du point de vue −Σ p log p des points vus, sur son maximum (Bordoloi, Shen 2005)</translation>
+    </message>
+    <message>
+        <source>Typical</source>
+        <translation>Typique</translation>
+    </message>
+    <message>
+        <source>How typical the view is of all views.
+1 − Σ p(o|v) log(p(o|v) / p(o)) over its maximum (Viola et al. 2006)</source>
+        <translation>À quel point la vue est typique de toutes.
+1 − Σ p(o|v) log(p(o|v) / p(o)) sur son maximum (Viola et al. 2006)</translation>
+    </message>
+    <message>
+        <source>Steady</source>
+        <translation>Stable</translation>
+    </message>
+    <message>
+        <source>How little changes when the camera moves a bit.
+1 − Jensen–Shannon divergence to the eight nearest views</source>
+        <translation>Peu de changement quand la caméra bouge un peu.
+1 − divergence de Jensen-Shannon avec les huit vues voisines</translation>
+    </message>
+    <message>
+        <source>Standard view</source>
+        <translation>Vue standard</translation>
+    </message>
+    <message>
+        <source>How near the view is to anterior, left, superior …: a little decides between equally good views.
+Cosine of the angle to the nearest of the six</source>
+        <translation>Proximité de la vue avec antérieure, gauche, supérieure … : un peu départage des vues aussi bonnes.
+Cosinus de l'angle avec la plus proche des six</translation>
+    </message>
+    <message>
+        <source>Not through cut ends</source>
+        <translation>Pas à travers les extrémités coupées</translation>
+    </message>
+    <message>
+        <source>No view within 45° of an end of the scan where the body goes on, while another one shows at least two thirds as much of the focus</source>
+        <translation>Aucune vue à moins de 45° d'une extrémité de l'acquisition où le corps continue, si une autre montre au moins deux tiers autant de la cible</translation>
+    </message>
+    <message>
+        <source>From around before from above</source>
+        <translation>D'autour avant d'en haut</translation>
+    </message>
+    <message>
+        <source>From the front, from behind, the left or the right rather than from above or below, where both show about as much</source>
+        <translation>De face, de dos, de gauche ou de droite plutôt que d'en haut ou d'en bas, si les deux montrent à peu près autant</translation>
+    </message>
+    <message>
+        <source>Thin stacks from the front</source>
+        <translation>Piles minces de face</translation>
+    </message>
+    <message>
+        <source>A stack of a few slices, or one much thinner than wide, is seen from the side from which its slices are shown, not edge-on</source>
+        <translation>Une pile de quelques coupes, ou bien plus mince que large, est vue du côté où ses coupes s'affichent, pas par la tranche</translation>
+    </message>
+    <message>
+        <source>From the near side</source>
+        <translation>Du côté proche</translation>
+    </message>
+    <message>
+        <source>Usual side</source>
+        <translation>Côté habituel</translation>
+    </message>
+    <message>
+        <source>How usual the view is: from the front rather than from the side, from behind, from above or below</source>
+        <translation>À quel point la vue est habituelle : de face plutôt que de côté, de dos, d'en haut ou d'en bas</translation>
+    </message>
+    <message>
+        <source>Last view</source>
+        <translation>Dernière vue</translation>
+    </message>
+    <message>
+        <source>How near the view is to the present one, so that it does not jump</source>
+        <translation>Proximité avec la vue actuelle, pour éviter un saut</translation>
+    </message>
+    <message>
+        <source>Shape</source>
+        <translation>Forme</translation>
+    </message>
+    <message>
+        <source>How well the view shows the structure's shape around the point: onto what is flat, across what is long</source>
+        <translation>Comment la vue montre la forme de la structure autour du point : de face si plate, en travers si longue</translation>
+    </message>
+    <message>
+        <source>Unhidden</source>
+        <translation>Dégagée</translation>
+    </message>
+    <message>
+        <source>How little hides the structure around the point, before anything is cut away</source>
+        <translation>Combien peu cache la structure autour du point, avant toute découpe</translation>
     </message>
 </context>
 <context>
     <name>Region</name>
     <message>
         <source>Its border is clear: values change by %1 there.</source>
-        <translation>Sa limite est nette&#xa0;: les valeurs y changent de %1.</translation>
+        <translation>Sa limite est nette : les valeurs y changent de %1.</translation>
     </message>
     <message>
         <source>Its border is fair: values change by %1 there.</source>
-        <translation>Sa limite est moyenne&#xa0;: les valeurs y changent de %1.</translation>
+        <translation>Sa limite est moyenne : les valeurs y changent de %1.</translation>
     </message>
     <message>
         <source>It is doubtful: values change by only %1 along its border. Check its outline on the slices.</source>
-        <translation>Elle est douteuse&#xa0;: à sa limite, les valeurs ne changent que de %1. Vérifiez son contour sur les coupes.</translation>
+        <translation>Elle est douteuse : à sa limite, les valeurs ne changent que de %1. Vérifiez son contour sur les coupes.</translation>
     </message>
     <message>
         <source>the left</source>
@@ -809,11 +1009,11 @@
     </message>
     <message>
         <source>the back</source>
-        <translation>l&apos;arrière</translation>
+        <translation>l'arrière</translation>
     </message>
     <message>
         <source>the front</source>
-        <translation>l&apos;avant</translation>
+        <translation>l'avant</translation>
     </message>
     <message>
         <source>the head</source>
@@ -837,11 +1037,11 @@
     </message>
     <message>
         <source>Values: %1 ± %2.</source>
-        <translation>Valeurs&#xa0;: %1 ± %2.</translation>
+        <translation>Valeurs : %1 ± %2.</translation>
     </message>
     <message>
         <source>Next leak: at %1 to %2, %3.</source>
-        <translation>Prochaine fuite&#xa0;: à %1 vers %2, %3.</translation>
+        <translation>Prochaine fuite : à %1 vers %2, %3.</translation>
     </message>
 </context>
 <context>
@@ -855,11 +1055,11 @@
     <name>RenderProblem</name>
     <message>
         <source>The graphics driver refuses a part of Fenestra (%1). Update the driver, or start Fenestra with LIBGL_ALWAYS_SOFTWARE=1 in the environment.</source>
-        <translation>Le pilote graphique refuse une partie de Fenestra (%1). Mettez-le à jour, ou lancez Fenestra avec LIBGL_ALWAYS_SOFTWARE=1 dans l&apos;environnement.</translation>
+        <translation>Le pilote graphique refuse une partie de Fenestra (%1). Mettez-le à jour, ou lancez Fenestra avec LIBGL_ALWAYS_SOFTWARE=1 dans l'environnement.</translation>
     </message>
     <message>
         <source>There is not enough memory for this picture. Close other programs, or open a smaller volume.</source>
-        <translation>Pas assez de mémoire pour cette image. Fermez d&apos;autres programmes, ou ouvrez un volume plus petit.</translation>
+        <translation>Pas assez de mémoire pour cette image. Fermez d'autres programmes, ou ouvrez un volume plus petit.</translation>
     </message>
 </context>
 <context>
@@ -878,7 +1078,7 @@
     </message>
     <message>
         <source>Cameras fly to where they are placed instead of jumping there</source>
-        <translation>Les caméras volent à leur place au lieu d&apos;y sauter</translation>
+        <translation>Les caméras volent à leur place au lieu d'y sauter</translation>
     </message>
     <message>
         <source>While something moves</source>
@@ -886,7 +1086,7 @@
     </message>
     <message>
         <source>Pictures a second to aim at: more of them are smaller on a slow machine. At rest they always have full quality</source>
-        <translation>Images par seconde visées&#xa0;: davantage sont plus petites sur une machine lente. Au repos, elles ont toujours la pleine qualité</translation>
+        <translation>Images par seconde visées : davantage sont plus petites sur une machine lente. Au repos, elles ont toujours la pleine qualité</translation>
     </message>
     <message>
         <source>pictures/s</source>
@@ -898,7 +1098,7 @@
     </message>
     <message>
         <source>Colour behind the volume when data are opened without a session</source>
-        <translation>Couleur derrière le volume quand des données s&apos;ouvrent sans session</translation>
+        <translation>Couleur derrière le volume quand des données s'ouvrent sans session</translation>
     </message>
     <message>
         <source>Unit of new openings</source>
@@ -906,7 +1106,7 @@
     </message>
     <message>
         <source>What the widths of the opening are in when data are opened without a session</source>
-        <translation>Unité des largeurs de l&apos;ouverture quand des données s&apos;ouvrent sans session</translation>
+        <translation>Unité des largeurs de l'ouverture quand des données s'ouvrent sans session</translation>
     </message>
     <message>
         <source>Hide the patient</source>
@@ -938,7 +1138,7 @@
     </message>
     <message>
         <source>How the view is opened to the focus</source>
-        <translation>Comment la vue s&apos;ouvre vers la cible</translation>
+        <translation>Comment la vue s'ouvre vers la cible</translation>
     </message>
     <message>
         <source>Adaptive cutaway</source>
@@ -946,7 +1146,7 @@
     </message>
     <message>
         <source>An opening around the focus that rises to the surface over a width that you choose: the method of this program</source>
-        <translation>Une ouverture autour de la cible, qui remonte à la surface sur une largeur que vous choisissez&#xa0;: la méthode de ce programme</translation>
+        <translation>Une ouverture autour de la cible, qui remonte à la surface sur une largeur que vous choisissez : la méthode de ce programme</translation>
     </message>
     <message>
         <source>Deformable cutting plane</source>
@@ -954,22 +1154,22 @@
     </message>
     <message>
         <source>Nothing opens by itself: a plane that you lay through a stroke and bend by dragging removes one side of it (Konrad-Verse, Preim and Littmann 2004)</source>
-        <translation>Rien ne s&apos;ouvre tout seul&#xa0;: un plan posé par un trait et courbé en glissant enlève l&apos;un de ses côtés (Konrad-Verse, Preim et Littmann 2004)</translation>
+        <translation>Rien ne s'ouvre tout seul : un plan posé par un trait et courbé en glissant enlève l'un de ses côtés (Konrad-Verse, Preim et Littmann 2004)</translation>
     </message>
     <message>
         <source>ClearView</source>
         <translation>ClearView</translation>
     </message>
     <message>
-        <source>A lens over the focus through which it shows, while what hides it fades towards the lens&apos;s middle and stays where it bends (Krüger, Schneider and Westermann 2006)</source>
-        <translation>Une lentille sur la cible, à travers laquelle elle se voit, tandis que ce qui la cache s&apos;estompe vers le milieu et reste là où il se courbe (Krüger, Schneider et Westermann 2006)</translation>
+        <source>A lens over the focus through which it shows, while what hides it fades towards the lens's middle and stays where it bends (Krüger, Schneider and Westermann 2006)</source>
+        <translation>Une lentille sur la cible, à travers laquelle elle se voit, tandis que ce qui la cache s'estompe vers le milieu et reste là où il se courbe (Krüger, Schneider et Westermann 2006)</translation>
     </message>
     <message>
         <source>Lens keeps</source>
         <translation>La lentille garde</translation>
     </message>
     <message>
-        <source>What stays within ClearView&apos;s lens of what hides the focus, beside its bends</source>
+        <source>What stays within ClearView's lens of what hides the focus, beside its bends</source>
         <translation>Ce qui reste dans la lentille de ClearView de ce qui cache la cible, outre ses courbures</translation>
     </message>
     <message>
@@ -977,7 +1177,7 @@
         <translation>Lentille sur</translation>
     </message>
     <message>
-        <source>What ClearView&apos;s lens lies over, as you see it</source>
+        <source>What ClearView's lens lies over, as you see it</source>
         <translation>Ce sur quoi la lentille de ClearView se trouve, vu de vous</translation>
     </message>
     <message>
@@ -985,24 +1185,24 @@
         <translation>Lentille</translation>
     </message>
     <message>
-        <source>Radius of ClearView&apos;s lens, as a share of the volume&apos;s longest side; its authors use 18.2</source>
-        <translation>Rayon de la lentille de ClearView, en part du plus long côté du volume&#xa0;; ses auteurs prennent 18,2</translation>
+        <source>Radius of ClearView's lens, as a share of the volume's longest side; its authors use 18.2</source>
+        <translation>Rayon de la lentille de ClearView, en part du plus long côté du volume ; ses auteurs prennent 18,2</translation>
     </message>
     <message>
         <source>Bends kept</source>
         <translation>Courbures gardées</translation>
     </message>
     <message>
-        <source>How much of the bends of what hides the focus stays within ClearView&apos;s lens; 0 keeps none</source>
-        <translation>Part des courbures de ce qui cache la cible gardée dans la lentille de ClearView&#xa0;; 0 n&apos;en garde aucune</translation>
+        <source>How much of the bends of what hides the focus stays within ClearView's lens; 0 keeps none</source>
+        <translation>Part des courbures de ce qui cache la cible gardée dans la lentille de ClearView ; 0 n'en garde aucune</translation>
     </message>
     <message>
         <source>Rim of the lens</source>
         <translation>Bord de la lentille</translation>
     </message>
     <message>
-        <source>How thin the dark line around ClearView&apos;s lens is: more is thinner</source>
-        <translation>Finesse de la ligne sombre autour de la lentille de ClearView&#xa0;: plus est plus fin</translation>
+        <source>How thin the dark line around ClearView's lens is: more is thinner</source>
+        <translation>Finesse de la ligne sombre autour de la lentille de ClearView : plus est plus fin</translation>
     </message>
     <message>
         <source>Focus</source>
@@ -1018,14 +1218,14 @@
     </message>
     <message>
         <source>The crosshair: the lens follows what you point at</source>
-        <translation>Le réticule&#xa0;: la lentille suit ce que vous pointez</translation>
+        <translation>Le réticule : la lentille suit ce que vous pointez</translation>
     </message>
     <message>
         <source>To the rim</source>
         <translation>Vers le bord</translation>
     </message>
     <message>
-        <source>The nearer to the lens&apos;s rim, the more of what hides the focus</source>
+        <source>The nearer to the lens's rim, the more of what hides the focus</source>
         <translation>Plus on est près du bord de la lentille, plus il reste de ce qui cache la cible</translation>
     </message>
     <message>
@@ -1050,15 +1250,15 @@
     </message>
     <message>
         <source>A funnel around everything in focus, which widens towards you at one angle: the deeper the focus lies, the wider the opening (Burns and Finkelstein 2008)</source>
-        <translation>Un entonnoir autour de toute la cible, qui s&apos;évase vers vous d&apos;un angle&#xa0;: plus la cible est profonde, plus l&apos;ouverture est large (Burns et Finkelstein 2008)</translation>
+        <translation>Un entonnoir autour de toute la cible, qui s'évase vers vous d'un angle : plus la cible est profonde, plus l'ouverture est large (Burns et Finkelstein 2008)</translation>
     </message>
     <message>
-        <source>Cone&apos;s angle</source>
+        <source>Cone's angle</source>
         <translation>Angle du cône</translation>
     </message>
     <message>
-        <source>Angle between the axis and the wall of the cone cutaway&apos;s cones: more opens wider</source>
-        <translation>Angle entre l&apos;axe et la paroi des cônes&#xa0;: plus ouvre davantage</translation>
+        <source>Angle between the axis and the wall of the cone cutaway's cones: more opens wider</source>
+        <translation>Angle entre l'axe et la paroi des cônes : plus ouvre davantage</translation>
     </message>
     <message>
         <source>Context-preserving</source>
@@ -1066,7 +1266,7 @@
     </message>
     <message>
         <source>Nothing is cut away: what is flat, brightly lit and near to you fades, while edges stay, so that the inside shows; what is in focus stays as it is (Bruckner, Grimm, Kanitsar and Gröller 2006)</source>
-        <translation>Rien n&apos;est enlevé&#xa0;: ce qui est plat, vivement éclairé et proche s&apos;estompe, les arêtes restent, et l&apos;intérieur se voit&#xa0;; la cible reste telle quelle (Bruckner, Grimm, Kanitsar et Gröller 2006)</translation>
+        <translation>Rien n'est enlevé : ce qui est plat, vivement éclairé et proche s'estompe, les arêtes restent, et l'intérieur se voit ; la cible reste telle quelle (Bruckner, Grimm, Kanitsar et Gröller 2006)</translation>
     </message>
     <message>
         <source>Reach</source>
@@ -1074,7 +1274,7 @@
     </message>
     <message>
         <source>How deep the context-preserving method looks into the volume; 0 fades nothing (κt)</source>
-        <translation>Profondeur à laquelle la méthode qui préserve le contexte regarde dans le volume&#xa0;; 0 n&apos;estompe rien (κt)</translation>
+        <translation>Profondeur à laquelle la méthode qui préserve le contexte regarde dans le volume ; 0 n'estompe rien (κt)</translation>
     </message>
     <message>
         <source>Sharpness</source>
@@ -1082,7 +1282,7 @@
     </message>
     <message>
         <source>How sudden the context-preserving method changes from faded to shown along the line of sight: more looks like a cut (κs)</source>
-        <translation>Soudaineté du passage d&apos;estompé à affiché le long de la ligne de visée&#xa0;: plus ressemble à une coupe (κs)</translation>
+        <translation>Soudaineté du passage d'estompé à affiché le long de la ligne de visée : plus ressemble à une coupe (κs)</translation>
     </message>
     <message>
         <source>Exploded view</source>
@@ -1090,7 +1290,7 @@
     </message>
     <message>
         <source>What is around the focus is cut into parts, which move apart and out of your line of sight to it; what is in focus stays in its place (Bruckner and Gröller 2006)</source>
-        <translation>Ce qui entoure la cible est coupé en parties qui s&apos;écartent hors de la ligne de visée&#xa0;; la cible reste en place (Bruckner et Gröller 2006)</translation>
+        <translation>Ce qui entoure la cible est coupé en parties qui s'écartent hors de la ligne de visée ; la cible reste en place (Bruckner et Gröller 2006)</translation>
     </message>
     <message>
         <source>Explosion</source>
@@ -1098,7 +1298,7 @@
     </message>
     <message>
         <source>How far the parts of an exploded view are moved apart (its degree of explosion): at 0 all are in their places</source>
-        <translation>Écartement des parties (degré d&apos;éclatement)&#xa0;: à 0, toutes sont à leur place</translation>
+        <translation>Écartement des parties (degré d'éclatement) : à 0, toutes sont à leur place</translation>
     </message>
     <message>
         <source>Parts</source>
@@ -1106,14 +1306,14 @@
     </message>
     <message>
         <source>How many planes through the middle of the focus, or of the volume without a focus, cut it into the parts of an exploded view</source>
-        <translation>Nombre de plans par le milieu de la cible, ou du volume sans cible, qui le coupent en parties d&apos;une vue éclatée</translation>
+        <translation>Nombre de plans par le milieu de la cible, ou du volume sans cible, qui le coupent en parties d'une vue éclatée</translation>
     </message>
     <message>
         <source>Cut along</source>
         <translation>Couper selon</translation>
     </message>
     <message>
-        <source>Whether the planes of an exploded view lie along the patient&apos;s axes or the view&apos;s</source>
+        <source>Whether the planes of an exploded view lie along the patient's axes or the view's</source>
         <translation>Si les plans suivent les axes du patient ou ceux de la vue</translation>
     </message>
     <message>
@@ -1130,7 +1330,7 @@
     </message>
     <message>
         <source>Two planes: left and right, above and below</source>
-        <translation>Deux plans&#xa0;: gauche et droite, haut et bas</translation>
+        <translation>Deux plans : gauche et droite, haut et bas</translation>
     </message>
     <message>
         <source>Eight parts</source>
@@ -1138,23 +1338,23 @@
     </message>
     <message>
         <source>Three planes: left and right, above and below, front and back</source>
-        <translation>Trois plans&#xa0;: gauche et droite, haut et bas, avant et arrière</translation>
+        <translation>Trois plans : gauche et droite, haut et bas, avant et arrière</translation>
     </message>
     <message>
         <source>The patient</source>
         <translation>Le patient</translation>
     </message>
     <message>
-        <source>Planes along the patient&apos;s axes: left and right are the patient&apos;s</source>
-        <translation>Plans selon les axes du patient&#xa0;: gauche et droite sont celles du patient</translation>
+        <source>Planes along the patient's axes: left and right are the patient's</source>
+        <translation>Plans selon les axes du patient : gauche et droite sont celles du patient</translation>
     </message>
     <message>
         <source>The view</source>
         <translation>La vue</translation>
     </message>
     <message>
-        <source>Planes along the picture&apos;s axes, which turn with the camera</source>
-        <translation>Plans selon les axes de l&apos;image, qui tournent avec la caméra</translation>
+        <source>Planes along the picture's axes, which turn with the camera</source>
+        <translation>Plans selon les axes de l'image, qui tournent avec la caméra</translation>
     </message>
     <message>
         <source>Focal region</source>
@@ -1162,7 +1362,7 @@
     </message>
     <message>
         <source>A region around the focus shows as it is; around it only the edges of what is there stay, the fainter the farther away; what is in focus stays as it is (Zhou, Hinz and Tönnies 2002)</source>
-        <translation>Une région autour de la cible se voit telle quelle&#xa0;; autour, seules les arêtes restent, d&apos;autant plus faibles qu&apos;elles sont loin&#xa0;; la cible reste telle quelle (Zhou, Hinz et Tönnies 2002)</translation>
+        <translation>Une région autour de la cible se voit telle quelle ; autour, seules les arêtes restent, d'autant plus faibles qu'elles sont loin ; la cible reste telle quelle (Zhou, Hinz et Tönnies 2002)</translation>
     </message>
     <message>
         <source>Region</source>
@@ -1177,7 +1377,7 @@
         <translation>Taille de la région</translation>
     </message>
     <message>
-        <source>Radius of the focal region&apos;s sphere, half the side of its box, or its distance from the focus</source>
+        <source>Radius of the focal region's sphere, half the side of its box, or its distance from the focus</source>
         <translation>Rayon de la sphère, demi-côté de la boîte, ou distance à la cible</translation>
     </message>
     <message>
@@ -1190,7 +1390,7 @@
     </message>
     <message>
         <source>How far outside of the focal region edges are half as strong as at its border: more shows more of what is around it</source>
-        <translation>À quelle distance de la région focale les arêtes sont moitié moins fortes qu&apos;à son bord&#xa0;: plus montre plus des alentours</translation>
+        <translation>À quelle distance de la région focale les arêtes sont moitié moins fortes qu'à son bord : plus montre plus des alentours</translation>
     </message>
     <message>
         <source>Sphere</source>
@@ -1205,7 +1405,7 @@
         <translation>Boîte</translation>
     </message>
     <message>
-        <source>A cube along the patient&apos;s axes, around the middle of the focus</source>
+        <source>A cube along the patient's axes, around the middle of the focus</source>
         <translation>Un cube selon les axes du patient, autour du milieu de la cible</translation>
     </message>
     <message>
@@ -1218,11 +1418,11 @@
     </message>
     <message>
         <source>Importance-driven</source>
-        <translation>Selon l&apos;importance</translation>
+        <translation>Selon l'importance</translation>
     </message>
     <message>
         <source>What hides the focus gives way to it because the focus is more important: it is removed, or stays faint (Viola, Kanitsar and Gröller 2004)</source>
-        <translation>Ce qui cache la cible s&apos;efface, car elle est plus importante&#xa0;: enlevé, ou estompé (Viola, Kanitsar et Gröller 2004)</translation>
+        <translation>Ce qui cache la cible s'efface, car elle est plus importante : enlevé, ou estompé (Viola, Kanitsar et Gröller 2004)</translation>
     </message>
     <message>
         <source>What hides the focus</source>
@@ -1230,15 +1430,15 @@
     </message>
     <message>
         <source>What the importance-driven method does with what hides the focus</source>
-        <translation>Ce que la méthode selon l&apos;importance fait de ce qui cache la cible</translation>
+        <translation>Ce que la méthode selon l'importance fait de ce qui cache la cible</translation>
     </message>
     <message>
         <source>Widening</source>
         <translation>Évasement</translation>
     </message>
     <message>
-        <source>Angle at which the importance-driven opening widens from the focus&apos;s outline towards the eye</source>
-        <translation>Angle d&apos;évasement de l&apos;ouverture, du contour de la cible vers l&apos;œil</translation>
+        <source>Angle at which the importance-driven opening widens from the focus's outline towards the eye</source>
+        <translation>Angle d'évasement de l'ouverture, du contour de la cible vers l'œil</translation>
     </message>
     <message>
         <source>Opacity left</source>
@@ -1246,7 +1446,7 @@
     </message>
     <message>
         <source>Factor of the opacity of what hides the focus, where the importance-driven method keeps it faint; 0 removes it</source>
-        <translation>Facteur d&apos;opacité de ce qui cache la cible, là où la méthode l&apos;estompe&#xa0;; 0 l&apos;enlève</translation>
+        <translation>Facteur d'opacité de ce qui cache la cible, là où la méthode l'estompe ; 0 l'enlève</translation>
     </message>
     <message>
         <source>Faint how</source>
@@ -1261,8 +1461,8 @@
         <translation>Enlevé</translation>
     </message>
     <message>
-        <source>What hides the focus is removed, in a cone that widens from the focus&apos;s outline towards you (maximum importance projection)</source>
-        <translation>Ce qui cache la cible est enlevé, dans un cône qui s&apos;évase de son contour vers vous (maximum importance projection)</translation>
+        <source>What hides the focus is removed, in a cone that widens from the focus's outline towards you (maximum importance projection)</source>
+        <translation>Ce qui cache la cible est enlevé, dans un cône qui s'évase de son contour vers vous (maximum importance projection)</translation>
     </message>
     <message>
         <source>Faint</source>
@@ -1285,7 +1485,7 @@
         <translation>Gris</translation>
     </message>
     <message>
-        <source>Less opaque, and grey, so that the colours are the focus&apos;s alone</source>
+        <source>Less opaque, and grey, so that the colours are the focus's alone</source>
         <translation>Moins opaque et gris, pour que seule la cible ait des couleurs</translation>
     </message>
     <message>
@@ -1302,7 +1502,7 @@
     </message>
     <message>
         <source>The body shows by the greatest value on each line of sight, as in a maximum intensity projection, and the focus stands in it; what lies before the opening does not count (Wallis, Miller, Lerner and Kleerup 1989)</source>
-        <translation>Le corps se voit par la plus grande valeur de chaque ligne de visée, comme en projection d&apos;intensité maximale, avec la cible dedans&#xa0;; ce qui est devant l&apos;ouverture ne compte pas (Wallis, Miller, Lerner et Kleerup 1989)</translation>
+        <translation>Le corps se voit par la plus grande valeur de chaque ligne de visée, comme en projection d'intensité maximale, avec la cible dedans ; ce qui est devant l'ouverture ne compte pas (Wallis, Miller, Lerner et Kleerup 1989)</translation>
     </message>
     <message>
         <source>Thickness</source>
@@ -1310,7 +1510,7 @@
     </message>
     <message>
         <source>How thick a layer the maximum intensity projection shows of the greatest value: more is more opaque</source>
-        <translation>Épaisseur de la couche de plus grande valeur que montre la projection d&apos;intensité maximale&#xa0;: plus est plus opaque</translation>
+        <translation>Épaisseur de la couche de plus grande valeur que montre la projection d'intensité maximale : plus est plus opaque</translation>
     </message>
     <message>
         <source>Peeling</source>
@@ -1318,7 +1518,7 @@
     </message>
     <message>
         <source>A layer in front of the focus is cut in two, and its halves are rolled aside like a peel; what is in focus stays in its place (McGuffin et al. 2003; Correa et al. 2006)</source>
-        <translation>Une couche devant la cible est coupée en deux, et ses moitiés sont enroulées sur les côtés comme une peau&#xa0;; la cible reste en place (McGuffin et al. 2003&#xa0;; Correa et al. 2006)</translation>
+        <translation>Une couche devant la cible est coupée en deux, et ses moitiés sont enroulées sur les côtés comme une peau ; la cible reste en place (McGuffin et al. 2003 ; Correa et al. 2006)</translation>
     </message>
     <message>
         <source>Peeled</source>
@@ -1326,7 +1526,7 @@
     </message>
     <message>
         <source>How far the layer in front of the focus is peeled away: at 0 it lies in its place, at 1 none of it lies in front of the focus</source>
-        <translation>Degré d&apos;épluchage de la couche devant la cible&#xa0;: à 0 elle est en place, à 1 rien n&apos;en reste devant la cible</translation>
+        <translation>Degré d'épluchage de la couche devant la cible : à 0 elle est en place, à 1 rien n'en reste devant la cible</translation>
     </message>
     <message>
         <source>Peel off</source>
@@ -1342,15 +1542,15 @@
     </message>
     <message>
         <source>Turns the cut through the layer: at 0 it runs from head to foot, or from front to back where the layer is peeled off above or below</source>
-        <translation>Tourne la coupe de la couche&#xa0;: à 0 elle va de la tête aux pieds, ou d&apos;avant en arrière si on épluche en haut ou en bas</translation>
+        <translation>Tourne la coupe de la couche : à 0 elle va de la tête aux pieds, ou d'avant en arrière si on épluche en haut ou en bas</translation>
     </message>
     <message>
         <source>Layer down to</source>
-        <translation>Couche jusqu&apos;à</translation>
+        <translation>Couche jusqu'à</translation>
     </message>
     <message>
         <source>How deep the layer reaches: at 0 it ends just in front of the focus, at 1 just behind it</source>
-        <translation>Profondeur de la couche&#xa0;: à 0 elle finit juste devant la cible, à 1 juste derrière</translation>
+        <translation>Profondeur de la couche : à 0 elle finit juste devant la cible, à 1 juste derrière</translation>
     </message>
     <message>
         <source>Roll</source>
@@ -1358,7 +1558,7 @@
     </message>
     <message>
         <source>Radius of the hollow in the roll: less rolls the layer up more tightly</source>
-        <translation>Rayon du creux du rouleau&#xa0;: moins enroule plus serré</translation>
+        <translation>Rayon du creux du rouleau : moins enroule plus serré</translation>
     </message>
     <message>
         <source>Margin</source>
@@ -1370,18 +1570,18 @@
     </message>
     <message>
         <source>The front</source>
-        <translation>L&apos;avant</translation>
+        <translation>L'avant</translation>
     </message>
     <message>
-        <source>The patient&apos;s anterior side</source>
+        <source>The patient's anterior side</source>
         <translation>Le côté antérieur du patient</translation>
     </message>
     <message>
         <source>The back</source>
-        <translation>L&apos;arrière</translation>
+        <translation>L'arrière</translation>
     </message>
     <message>
-        <source>The patient&apos;s posterior side</source>
+        <source>The patient's posterior side</source>
         <translation>Le côté postérieur du patient</translation>
     </message>
     <message>
@@ -1389,7 +1589,7 @@
         <translation>La gauche</translation>
     </message>
     <message>
-        <source>The patient&apos;s left side</source>
+        <source>The patient's left side</source>
         <translation>Le côté gauche du patient</translation>
     </message>
     <message>
@@ -1397,7 +1597,7 @@
         <translation>La droite</translation>
     </message>
     <message>
-        <source>The patient&apos;s right side</source>
+        <source>The patient's right side</source>
         <translation>Le côté droit du patient</translation>
     </message>
     <message>
@@ -1405,7 +1605,7 @@
         <translation>Dessus</translation>
     </message>
     <message>
-        <source>The patient&apos;s superior side</source>
+        <source>The patient's superior side</source>
         <translation>Le côté supérieur du patient</translation>
     </message>
     <message>
@@ -1413,7 +1613,7 @@
         <translation>Dessous</translation>
     </message>
     <message>
-        <source>The patient&apos;s inferior side</source>
+        <source>The patient's inferior side</source>
         <translation>Le côté inférieur du patient</translation>
     </message>
     <message>
@@ -1422,7 +1622,7 @@
     </message>
     <message>
         <source>Nothing opens by itself: you carve the volume with a ball, a box or a saw until the focus shows (Wang and Kaufman 1995)</source>
-        <translation>Rien ne s&apos;ouvre tout seul&#xa0;: vous sculptez le volume à la boule, à la boîte ou à la scie jusqu&apos;à voir la cible (Wang et Kaufman 1995)</translation>
+        <translation>Rien ne s'ouvre tout seul : vous sculptez le volume à la boule, à la boîte ou à la scie jusqu'à voir la cible (Wang et Kaufman 1995)</translation>
     </message>
     <message>
         <source>Ghosted selection</source>
@@ -1430,7 +1630,7 @@
     </message>
     <message>
         <source>Nothing is cut away: in front of the focus, and in the opening around it, what is flat gives way and edges stay, like a ghost of it; what is in focus stays as it is (Bruckner and Gröller 2005)</source>
-        <translation>Rien n&apos;est enlevé&#xa0;: devant la cible et dans l&apos;ouverture autour, ce qui est plat s&apos;efface et les arêtes restent, comme un fantôme&#xa0;; la cible reste telle quelle (Bruckner et Gröller 2005)</translation>
+        <translation>Rien n'est enlevé : devant la cible et dans l'ouverture autour, ce qui est plat s'efface et les arêtes restent, comme un fantôme ; la cible reste telle quelle (Bruckner et Gröller 2005)</translation>
     </message>
     <message>
         <source>Ghosting</source>
@@ -1438,7 +1638,7 @@
     </message>
     <message>
         <source>How much of what is flat in front of the selection gives way; 0 fades nothing</source>
-        <translation>Part de ce qui est plat devant la sélection qui s&apos;efface&#xa0;; 0 n&apos;estompe rien</translation>
+        <translation>Part de ce qui est plat devant la sélection qui s'efface ; 0 n'estompe rien</translation>
     </message>
     <message>
         <source>Edges from</source>
@@ -1446,7 +1646,7 @@
     </message>
     <message>
         <source>Gradient of which half stays in front of the selection, as a share of the steepest that the volume can have: less keeps fainter edges</source>
-        <translation>Gradient dont la moitié reste devant la sélection, en part du plus raide possible dans le volume&#xa0;: moins garde des arêtes plus faibles</translation>
+        <translation>Gradient dont la moitié reste devant la sélection, en part du plus raide possible dans le volume : moins garde des arêtes plus faibles</translation>
     </message>
     <message>
         <source>Outlines</source>
@@ -1454,7 +1654,7 @@
     </message>
     <message>
         <source>How much edges that face you give way, too, so that outlines stay in front of the selection</source>
-        <translation>Part des arêtes qui vous font face et qui s&apos;effacent aussi, pour que les contours restent devant la sélection</translation>
+        <translation>Part des arêtes qui vous font face et qui s'effacent aussi, pour que les contours restent devant la sélection</translation>
     </message>
     <message>
         <source>Walls of slices</source>
@@ -1462,7 +1662,7 @@
     </message>
     <message>
         <source>The adaptive cutaway with the slices at the crosshair as walls: behind the volume, or inside the opening (Tory and Swindells 2003)</source>
-        <translation>L&apos;écorché adaptatif avec les coupes au réticule comme parois&#xa0;: derrière le volume, ou dans l&apos;ouverture (Tory et Swindells 2003)</translation>
+        <translation>L'écorché adaptatif avec les coupes au réticule comme parois : derrière le volume, ou dans l'ouverture (Tory et Swindells 2003)</translation>
     </message>
     <message>
         <source>Walls</source>
@@ -1497,7 +1697,7 @@
         <translation>Si la coupe coronale au réticule est une paroi</translation>
     </message>
     <message>
-        <source>Whether the labels&apos; outlines are drawn on the walls</source>
+        <source>Whether the labels' outlines are drawn on the walls</source>
         <translation>Si les contours des étiquettes sont dessinés sur les parois</translation>
     </message>
     <message>
@@ -1506,15 +1706,15 @@
     </message>
     <message>
         <source>Behind the volume, like the walls of a room</source>
-        <translation>Derrière le volume, comme les murs d&apos;une pièce</translation>
+        <translation>Derrière le volume, comme les murs d'une pièce</translation>
     </message>
     <message>
         <source>Inside the opening</source>
-        <translation>Dans l&apos;ouverture</translation>
+        <translation>Dans l'ouverture</translation>
     </message>
     <message>
         <source>Where the slices lie, in the space that the opening removed; before the focus there is none</source>
-        <translation>Là où se trouvent les coupes, dans l&apos;espace dégagé par l&apos;ouverture&#xa0;; devant la cible il n&apos;y en a pas</translation>
+        <translation>Là où se trouvent les coupes, dans l'espace dégagé par l'ouverture ; devant la cible il n'y en a pas</translation>
     </message>
     <message>
         <source>pixels</source>
@@ -1542,7 +1742,7 @@
     </message>
     <message>
         <source>A blade along the stroke, away from you; a stroke that comes back to its start takes out what it encloses</source>
-        <translation>Une lame le long du trait, vers l&apos;avant&#xa0;; un trait qui revient à son début enlève ce qu&apos;il entoure</translation>
+        <translation>Une lame le long du trait, vers l'avant ; un trait qui revient à son début enlève ce qu'il entoure</translation>
     </message>
     <message>
         <source>Plane</source>
@@ -1550,7 +1750,7 @@
     </message>
     <message>
         <source>A plane through the stroke that removes what lies to the right of it, and that you bend by dragging</source>
-        <translation>Un plan par le trait, qui enlève ce qui est à sa droite et que l&apos;on courbe en glissant</translation>
+        <translation>Un plan par le trait, qui enlève ce qui est à sa droite et que l'on courbe en glissant</translation>
     </message>
     <message>
         <source>Restore</source>
@@ -1558,7 +1758,7 @@
     </message>
     <message>
         <source>Brings back what the opening removed</source>
-        <translation>Ramène ce que l&apos;ouverture a enlevé</translation>
+        <translation>Ramène ce que l'ouverture a enlevé</translation>
     </message>
     <message>
         <source>Open</source>
@@ -1566,23 +1766,23 @@
     </message>
     <message>
         <source>Opens further, away from the eye</source>
-        <translation>Ouvre davantage, vers l&apos;avant</translation>
+        <translation>Ouvre davantage, vers l'avant</translation>
     </message>
     <message>
         <source>Fade</source>
         <translation>Estomper</translation>
     </message>
     <message>
-        <source>Shows less of the context&apos;s edges over the focus</source>
-        <translation>Montre moins d&apos;arêtes du contexte sur la cible</translation>
+        <source>Shows less of the context's edges over the focus</source>
+        <translation>Montre moins d'arêtes du contexte sur la cible</translation>
     </message>
     <message>
         <source>Strengthen</source>
         <translation>Renforcer</translation>
     </message>
     <message>
-        <source>Shows more of the context&apos;s edges over the focus</source>
-        <translation>Montre plus d&apos;arêtes du contexte sur la cible</translation>
+        <source>Shows more of the context's edges over the focus</source>
+        <translation>Montre plus d'arêtes du contexte sur la cible</translation>
     </message>
     <message>
         <source>Context</source>
@@ -1598,7 +1798,7 @@
     </message>
     <message>
         <source>Left out of 3-D pictures; slices show its voxels</source>
-        <translation>Absente des images 3D&#xa0;; les coupes montrent ses voxels</translation>
+        <translation>Absente des images 3D ; les coupes montrent ses voxels</translation>
     </message>
     <message>
         <source>Protected</source>
@@ -1622,7 +1822,7 @@
     </message>
     <message>
         <source>What belongs to the clicked tissue more than to any other of the volume</source>
-        <translation>Ce qui appartient au tissu cliqué plus qu&apos;à tout autre du volume</translation>
+        <translation>Ce qui appartient au tissu cliqué plus qu'à tout autre du volume</translation>
     </message>
     <message>
         <source>Straight</source>
@@ -1630,7 +1830,7 @@
     </message>
     <message>
         <source>Straight lines between voxels: coarse scans show terraces</source>
-        <translation>Droites entre voxels&#xa0;: les acquisitions grossières montrent des terrasses</translation>
+        <translation>Droites entre voxels : les acquisitions grossières montrent des terrasses</translation>
     </message>
     <message>
         <source>Curved</source>
@@ -1638,7 +1838,7 @@
     </message>
     <message>
         <source>Smooth curves through every voxel, its noise as well: takes more memory and time</source>
-        <translation>Courbes lisses par chaque voxel, son bruit compris&#xa0;: prend plus de mémoire et de temps</translation>
+        <translation>Courbes lisses par chaque voxel, son bruit compris : prend plus de mémoire et de temps</translation>
     </message>
     <message>
         <source>Smoothed</source>
@@ -1646,7 +1846,7 @@
     </message>
     <message>
         <source>Smooth curves near the voxels: fewer terraces and less noise, but softer detail</source>
-        <translation>Courbes lisses près des voxels&#xa0;: moins de terrasses et de bruit, mais détails adoucis</translation>
+        <translation>Courbes lisses près des voxels : moins de terrasses et de bruit, mais détails adoucis</translation>
     </message>
     <message>
         <source>Smoothed more</source>
@@ -1654,7 +1854,7 @@
     </message>
     <message>
         <source>Smooth curves near means over five voxels: no terraces in coarse scans, but fine detail is lost</source>
-        <translation>Courbes lisses près des moyennes de cinq voxels&#xa0;: pas de terrasses, mais les détails fins se perdent</translation>
+        <translation>Courbes lisses près des moyennes de cinq voxels : pas de terrasses, mais les détails fins se perdent</translation>
     </message>
     <message>
         <source>Automatic</source>
@@ -1669,7 +1869,7 @@
         <translation>Une couleur</translation>
     </message>
     <message>
-        <source>The background&apos;s colour everywhere</source>
+        <source>The background's colour everywhere</source>
         <translation>La couleur du fond partout</translation>
     </message>
     <message>
@@ -1677,7 +1877,7 @@
         <translation>Dégradé</translation>
     </message>
     <message>
-        <source>From the background&apos;s colour at the bottom to another at the top</source>
+        <source>From the background's colour at the bottom to another at the top</source>
         <translation>De la couleur du fond en bas à une autre en haut</translation>
     </message>
     <message>
@@ -1754,7 +1954,7 @@
     </message>
     <message>
         <source>How far the opening reaches beyond the focus (w_open)</source>
-        <translation>De combien l&apos;ouverture dépasse la cible (w_open)</translation>
+        <translation>De combien l'ouverture dépasse la cible (w_open)</translation>
     </message>
     <message>
         <source>Border</source>
@@ -1762,7 +1962,7 @@
     </message>
     <message>
         <source>Width of the line around the opening (w_border)</source>
-        <translation>Largeur de la ligne autour de l&apos;ouverture (w_border)</translation>
+        <translation>Largeur de la ligne autour de l'ouverture (w_border)</translation>
     </message>
     <message>
         <source>Unit</source>
@@ -1770,7 +1970,7 @@
     </message>
     <message>
         <source>Unit of both widths: pixels of the screen, or mm at the depth of the focus, which keep the opening still while zooming</source>
-        <translation>Unité des deux largeurs&#xa0;: pixels de l&apos;écran, ou mm à la profondeur de la cible, qui gardent l&apos;ouverture fixe en zoomant</translation>
+        <translation>Unité des deux largeurs : pixels de l'écran, ou mm à la profondeur de la cible, qui gardent l'ouverture fixe en zoomant</translation>
     </message>
     <message>
         <source>Border colour</source>
@@ -1778,23 +1978,23 @@
     </message>
     <message>
         <source>Colour of the line around the opening</source>
-        <translation>Couleur de la ligne autour de l&apos;ouverture</translation>
+        <translation>Couleur de la ligne autour de l'ouverture</translation>
     </message>
     <message>
         <source>Axis offset</source>
-        <translation>Décalage d&apos;axe</translation>
+        <translation>Décalage d'axe</translation>
     </message>
     <message>
-        <source>Angle between the opening&apos;s axis and the line of sight, so that its depth shows</source>
-        <translation>Angle entre l&apos;axe de l&apos;ouverture et la ligne de visée, pour que sa profondeur se voie</translation>
+        <source>Angle between the opening's axis and the line of sight, so that its depth shows</source>
+        <translation>Angle entre l'axe de l'ouverture et la ligne de visée, pour que sa profondeur se voie</translation>
     </message>
     <message>
         <source>Direction</source>
         <translation>Direction</translation>
     </message>
     <message>
-        <source>To which side of the picture the opening&apos;s axis leans: 0 is the right, 90 the top</source>
-        <translation>Vers quel côté de l&apos;image penche l&apos;axe de l&apos;ouverture&#xa0;: 0 est la droite, 90 le haut</translation>
+        <source>To which side of the picture the opening's axis leans: 0 is the right, 90 the top</source>
+        <translation>Vers quel côté de l'image penche l'axe de l'ouverture : 0 est la droite, 90 le haut</translation>
     </message>
     <message>
         <source>Strength</source>
@@ -1802,22 +2002,22 @@
     </message>
     <message>
         <source>How strongly the edges of the removed context are drawn over the focus; 0 draws none</source>
-        <translation>Force des arêtes du contexte enlevé dessinées sur la cible&#xa0;; 0 n&apos;en dessine aucune</translation>
+        <translation>Force des arêtes du contexte enlevé dessinées sur la cible ; 0 n'en dessine aucune</translation>
     </message>
     <message>
         <source>Curvature</source>
         <translation>Courbure</translation>
     </message>
     <message>
-        <source>How much bends of the context&apos;s surface count as edges: eyes, nose, ears</source>
-        <translation>Combien les courbures de la surface du contexte comptent comme arêtes&#xa0;: yeux, nez, oreilles</translation>
+        <source>How much bends of the context's surface count as edges: eyes, nose, ears</source>
+        <translation>Combien les courbures de la surface du contexte comptent comme arêtes : yeux, nez, oreilles</translation>
     </message>
     <message>
         <source>Silhouette</source>
         <translation>Silhouette</translation>
     </message>
     <message>
-        <source>How much the context&apos;s outlines, where its surface is seen edge-on, count as edges</source>
+        <source>How much the context's outlines, where its surface is seen edge-on, count as edges</source>
         <translation>Combien les contours du contexte, là où sa surface est vue par la tranche, comptent comme arêtes</translation>
     </message>
     <message>
@@ -1825,15 +2025,15 @@
         <translation>Éclairage</translation>
     </message>
     <message>
-        <source>How much the light on the context&apos;s surface shades its edges; 0 draws them flat</source>
-        <translation>Combien la lumière sur la surface du contexte ombre ses arêtes&#xa0;; 0 les dessine à plat</translation>
+        <source>How much the light on the context's surface shades its edges; 0 draws them flat</source>
+        <translation>Combien la lumière sur la surface du contexte ombre ses arêtes ; 0 les dessine à plat</translation>
     </message>
     <message>
         <source>Value</source>
         <translation>Couleur propre</translation>
     </message>
     <message>
-        <source>How much the edges take the context&apos;s own colour</source>
+        <source>How much the edges take the context's own colour</source>
         <translation>Combien les arêtes prennent la couleur du contexte</translation>
     </message>
     <message>
@@ -1841,7 +2041,7 @@
         <translation>Saturation</translation>
     </message>
     <message>
-        <source>How saturated the context&apos;s own colour is in its edges</source>
+        <source>How saturated the context's own colour is in its edges</source>
         <translation>Saturation de la couleur du contexte dans ses arêtes</translation>
     </message>
     <message>
@@ -1850,14 +2050,14 @@
     </message>
     <message>
         <source>How much of the focus the edges may cover at most: the strongest stay; 1 keeps all</source>
-        <translation>Part de la cible que les arêtes peuvent couvrir au plus&#xa0;: les plus fortes restent&#xa0;; 1 les garde toutes</translation>
+        <translation>Part de la cible que les arêtes peuvent couvrir au plus : les plus fortes restent ; 1 les garde toutes</translation>
     </message>
     <message>
         <source>Colour</source>
         <translation>Couleur</translation>
     </message>
     <message>
-        <source>Colour of the context&apos;s edges</source>
+        <source>Colour of the context's edges</source>
         <translation>Couleur des arêtes du contexte</translation>
     </message>
     <message>
@@ -1898,7 +2098,7 @@
     </message>
     <message>
         <source>Exponent of the highlights: a larger one makes them smaller and sharper</source>
-        <translation>Exposant des reflets&#xa0;: plus grand, il les rend plus petits et plus nets</translation>
+        <translation>Exposant des reflets : plus grand, il les rend plus petits et plus nets</translation>
     </message>
     <message>
         <source>Light azimuth</source>
@@ -1906,7 +2106,7 @@
     </message>
     <message>
         <source>Where the light comes from: 0 is behind the viewer, 90 the right of the picture</source>
-        <translation>D&apos;où vient la lumière&#xa0;: 0 est derrière l&apos;observateur, 90 la droite de l&apos;image</translation>
+        <translation>D'où vient la lumière : 0 est derrière l'observateur, 90 la droite de l'image</translation>
     </message>
     <message>
         <source>Light elevation</source>
@@ -1914,7 +2114,7 @@
     </message>
     <message>
         <source>How high the light stands: 90 is the top of the picture, -90 the bottom</source>
-        <translation>Hauteur de la lumière&#xa0;: 90 est le haut de l&apos;image, -90 le bas</translation>
+        <translation>Hauteur de la lumière : 90 est le haut de l'image, -90 le bas</translation>
     </message>
     <message>
         <source>Occlusion</source>
@@ -1922,7 +2122,7 @@
     </message>
     <message>
         <source>How dark hollows are, which what is around them hides from the light from all sides; 0 leaves them as bright as the rest and costs nothing</source>
-        <translation>À quel point les creux, privés de la lumière ambiante par ce qui les entoure, sont sombres&#xa0;; 0 les laisse aussi clairs que le reste et ne coûte rien</translation>
+        <translation>À quel point les creux, privés de la lumière ambiante par ce qui les entoure, sont sombres ; 0 les laisse aussi clairs que le reste et ne coûte rien</translation>
     </message>
     <message>
         <source>Soft shadow</source>
@@ -1930,11 +2130,11 @@
     </message>
     <message>
         <source>How dark the shadows are that the volume, as it is cut open, casts on itself; 0 casts none and costs nothing</source>
-        <translation>À quel point sont sombres les ombres que le volume ouvert porte sur lui-même&#xa0;; 0 n&apos;en porte aucune et ne coûte rien</translation>
+        <translation>À quel point sont sombres les ombres que le volume ouvert porte sur lui-même ; 0 n'en porte aucune et ne coûte rien</translation>
     </message>
     <message>
         <source>Colour of a focus of values; labels have colours of their own</source>
-        <translation>Couleur d&apos;une cible par valeurs&#xa0;; les étiquettes ont les leurs</translation>
+        <translation>Couleur d'une cible par valeurs ; les étiquettes ont les leurs</translation>
     </message>
     <message>
         <source>Extinction</source>
@@ -1942,7 +2142,7 @@
     </message>
     <message>
         <source>Extinction coefficient of the focus</source>
-        <translation>Coefficient d&apos;extinction de la cible</translation>
+        <translation>Coefficient d'extinction de la cible</translation>
     </message>
     <message>
         <source>1/mm</source>
@@ -1954,7 +2154,7 @@
     </message>
     <message>
         <source>Volume below which an island of a focus of values is left out</source>
-        <translation>Volume sous lequel un îlot d&apos;une cible par valeurs est omis</translation>
+        <translation>Volume sous lequel un îlot d'une cible par valeurs est omis</translation>
     </message>
     <message>
         <source>mm³</source>
@@ -1974,7 +2174,7 @@
     </message>
     <message>
         <source>Colour behind the volume; of a gradient, at the bottom</source>
-        <translation>Couleur derrière le volume&#xa0;; d&apos;un dégradé, celle du bas</translation>
+        <translation>Couleur derrière le volume ; d'un dégradé, celle du bas</translation>
     </message>
     <message>
         <source>Backdrop</source>
@@ -1990,15 +2190,15 @@
     </message>
     <message>
         <source>Colour of a gradient behind the volume at the top</source>
-        <translation>Couleur du haut d&apos;un dégradé derrière le volume</translation>
+        <translation>Couleur du haut d'un dégradé derrière le volume</translation>
     </message>
     <message>
         <source>Hide the table</source>
         <translation>Masquer la table</translation>
     </message>
     <message>
-        <source>Whether 3-D pictures of a CT leave out the scanner&apos;s table, head rest and cushions</source>
-        <translation>Si les images 3D d&apos;une TDM omettent la table, l&apos;appui-tête et les coussins du scanner</translation>
+        <source>Whether 3-D pictures of a CT leave out the scanner's table, head rest and cushions</source>
+        <translation>Si les images 3D d'une TDM omettent la table, l'appui-tête et les coussins du scanner</translation>
     </message>
     <message>
         <source>Between voxels</source>
@@ -2014,7 +2214,7 @@
     </message>
     <message>
         <source>How far 3-D pictures smooth the surface of labels in focus: it stays within the voxels that it passes through, and keeps its volume</source>
-        <translation>De combien les images 3D lissent la surface des étiquettes ciblées&#xa0;: elle reste dans les voxels qu&apos;elle traverse et garde son volume</translation>
+        <translation>De combien les images 3D lissent la surface des étiquettes ciblées : elle reste dans les voxels qu'elle traverse et garde son volume</translation>
     </message>
     <message>
         <source>Edges</source>
@@ -2046,7 +2246,7 @@
     </message>
     <message>
         <source>Share of the radius over which the effect fades out</source>
-        <translation>Part du rayon sur laquelle l&apos;effet s&apos;estompe</translation>
+        <translation>Part du rayon sur laquelle l'effet s'estompe</translation>
     </message>
     <message>
         <source>Depth</source>
@@ -2061,16 +2261,16 @@
         <translation>Quantité</translation>
     </message>
     <message>
-        <source>How much of the context&apos;s edges Fade takes or Strengthen adds</source>
+        <source>How much of the context's edges Fade takes or Strengthen adds</source>
         <translation>Combien Estomper retire ou Renforcer ajoute aux arêtes du contexte</translation>
     </message>
     <message>
         <source>To the surface</source>
-        <translation>Jusqu&apos;à la surface</translation>
+        <translation>Jusqu'à la surface</translation>
     </message>
     <message>
-        <source>Whether Restore reaches to the context&apos;s first surface, however deep that lies</source>
-        <translation>Si Restaurer va jusqu&apos;à la première surface du contexte, quelle que soit sa profondeur</translation>
+        <source>Whether Restore reaches to the context's first surface, however deep that lies</source>
+        <translation>Si Restaurer va jusqu'à la première surface du contexte, quelle que soit sa profondeur</translation>
     </message>
     <message>
         <source>May cover the focus</source>
@@ -2090,7 +2290,7 @@
     </message>
     <message>
         <source>View in which it shows: 0 for C1, 1 for C2, -1 for both</source>
-        <translation>Vue où il apparaît&#xa0;: 0 pour C1, 1 pour C2, -1 pour les deux</translation>
+        <translation>Vue où il apparaît : 0 pour C1, 1 pour C2, -1 pour les deux</translation>
     </message>
     <message>
         <source>Edges and border</source>
@@ -2101,7 +2301,7 @@
         <translation>Coupe seule</translation>
     </message>
     <message>
-        <source>Context&apos;s edges</source>
+        <source>Context's edges</source>
         <translation>Arêtes du contexte</translation>
     </message>
     <message>
@@ -2166,7 +2366,7 @@
     </message>
     <message>
         <source>the point lies in air, where there is no structure</source>
-        <translation>le point est dans l&apos;air, où il n&apos;y a pas de structure</translation>
+        <translation>le point est dans l'air, où il n'y a pas de structure</translation>
     </message>
     <message>
         <source>no region can be grown from the point</source>
@@ -2250,7 +2450,7 @@
     </message>
     <message>
         <source>the only one that is no overview, capture or reformat</source>
-        <translation>la seule qui n&apos;est ni repérage, ni capture, ni reformatage</translation>
+        <translation>la seule qui n'est ni repérage, ni capture, ni reformatage</translation>
     </message>
     <message>
         <source>the only %1</source>
@@ -2330,7 +2530,7 @@
     </message>
     <message>
         <source>Editing the label</source>
-        <translation>Modification de l&apos;étiquette</translation>
+        <translation>Modification de l'étiquette</translation>
     </message>
     <message>
         <source>acquired volume</source>
@@ -2346,15 +2546,15 @@
     </message>
     <message>
         <source>volume that is no overview, capture or reformat</source>
-        <translation>volume qui n&apos;est ni repérage, ni capture, ni reformatage</translation>
+        <translation>volume qui n'est ni repérage, ni capture, ni reformatage</translation>
     </message>
     <message>
         <source>stack of slices that is no overview, capture or reformat</source>
-        <translation>pile de coupes qui n&apos;est ni repérage, ni capture, ni reformatage</translation>
+        <translation>pile de coupes qui n'est ni repérage, ni capture, ni reformatage</translation>
     </message>
     <message>
         <source>image that is no overview, capture or reformat</source>
-        <translation>image qui n&apos;est ni repérage, ni capture, ni reformatage</translation>
+        <translation>image qui n'est ni repérage, ni capture, ni reformatage</translation>
     </message>
     <message>
         <source>As the desktop</source>
@@ -2362,8 +2562,8 @@
     </message>
     <message>
         <source>How deep the focus lies; below 0 prefers views with little in front of it.
-vd1 = mean depth of the focus&apos;s pixels / diameter of the model&apos;s sphere</source>
-        <translation>Profondeur de la cible&#xa0;; sous 0, préfère les vues avec peu de choses devant.
+vd1 = mean depth of the focus's pixels / diameter of the model's sphere</source>
+        <translation>Profondeur de la cible ; sous 0, préfère les vues avec peu de choses devant.
 vd1 = profondeur moyenne des pixels de la cible / diamètre de la sphère du modèle</translation>
     </message>
     <message>
@@ -2373,8 +2573,8 @@ vd1 = profondeur moyenne des pixels de la cible / diamètre de la sphère du mod
     <message>
         <source>How large the focus is in the picture.
 vd2 = pixels of the focus / pixels of the picture</source>
-        <translation>Taille de la cible dans l&apos;image.
-vd2 = pixels de la cible / pixels de l&apos;image</translation>
+        <translation>Taille de la cible dans l'image.
+vd2 = pixels de la cible / pixels de l'image</translation>
     </message>
     <message>
         <source>Centring</source>
@@ -2383,8 +2583,8 @@ vd2 = pixels de la cible / pixels de l&apos;image</translation>
     <message>
         <source>How near to the middle of the picture it is.
 vd3 = 1 − distance of its centroid from the middle / distance of a corner</source>
-        <translation>Proximité du milieu de l&apos;image.
-vd3 = 1 − distance de son centre de gravité au milieu / distance d&apos;un coin</translation>
+        <translation>Proximité du milieu de l'image.
+vd3 = 1 − distance de son centre de gravité au milieu / distance d'un coin</translation>
     </message>
     <message>
         <source>Cut ends</source>
@@ -2392,9 +2592,9 @@ vd3 = 1 − distance de son centre de gravité au milieu / distance d&apos;un co
     </message>
     <message>
         <source>Below 0 avoids looking at the focus through a face where the scan cuts the body off.
-Share of the focus&apos;s pixels whose rays enter the volume inside the body</source>
-        <translation>Sous 0, évite de regarder la cible à travers une face où l&apos;acquisition coupe le corps.
-Part des pixels de la cible dont les rayons entrent dans le volume à l&apos;intérieur du corps</translation>
+Share of the focus's pixels whose rays enter the volume inside the body</source>
+        <translation>Sous 0, évite de regarder la cible à travers une face où l'acquisition coupe le corps.
+Part des pixels de la cible dont les rayons entrent dans le volume à l'intérieur du corps</translation>
     </message>
     <message>
         <source>Evenness</source>
@@ -2433,8 +2633,8 @@ Entropie du point de vue −Σ p log p des points vus, sur son maximum (Bordoloi
     <message>
         <source>How near the view is to anterior, left, superior …: a little decides between equally good views.
 Cosine of the angle to the nearest of the six</source>
-        <translation>Proximité de la vue avec antérieure, gauche, supérieure …&#xa0;: un peu départage des vues aussi bonnes.
-Cosinus de l&apos;angle avec la plus proche des six</translation>
+        <translation>Proximité de la vue avec antérieure, gauche, supérieure … : un peu départage des vues aussi bonnes.
+Cosinus de l'angle avec la plus proche des six</translation>
     </message>
     <message>
         <source>Not through cut ends</source>
@@ -2442,15 +2642,15 @@ Cosinus de l&apos;angle avec la plus proche des six</translation>
     </message>
     <message>
         <source>No view within 45° of an end of the scan where the body goes on, while another one shows at least two thirds as much of the focus</source>
-        <translation>Aucune vue à moins de 45° d&apos;une extrémité de l&apos;acquisition où le corps continue, si une autre montre au moins deux tiers autant de la cible</translation>
+        <translation>Aucune vue à moins de 45° d'une extrémité de l'acquisition où le corps continue, si une autre montre au moins deux tiers autant de la cible</translation>
     </message>
     <message>
         <source>From around before from above</source>
-        <translation>D&apos;autour avant d&apos;en haut</translation>
+        <translation>D'autour avant d'en haut</translation>
     </message>
     <message>
         <source>From the front, from behind, the left or the right rather than from above or below, where both show about as much</source>
-        <translation>De face, de dos, de gauche ou de droite plutôt que d&apos;en haut ou d&apos;en bas, si les deux montrent à peu près autant</translation>
+        <translation>De face, de dos, de gauche ou de droite plutôt que d'en haut ou d'en bas, si les deux montrent à peu près autant</translation>
     </message>
     <message>
         <source>Thin stacks from the front</source>
@@ -2458,7 +2658,7 @@ Cosinus de l&apos;angle avec la plus proche des six</translation>
     </message>
     <message>
         <source>A stack of a few slices, or one much thinner than wide, is seen from the side from which its slices are shown, not edge-on</source>
-        <translation>Une pile de quelques coupes, ou bien plus mince que large, est vue du côté où ses coupes s&apos;affichent, pas par la tranche</translation>
+        <translation>Une pile de quelques coupes, ou bien plus mince que large, est vue du côté où ses coupes s'affichent, pas par la tranche</translation>
     </message>
     <message>
         <source>From the near side</source>
@@ -2469,8 +2669,8 @@ Cosinus de l&apos;angle avec la plus proche des six</translation>
         <translation>Langue (au prochain démarrage)</translation>
     </message>
     <message>
-        <source>Language of the window&apos;s texts and numbers; it changes when Fenestra starts again</source>
-        <translation>Langue des textes et des nombres de la fenêtre&#xa0;; elle change au redémarrage de Fenestra</translation>
+        <source>Language of the window's texts and numbers; it changes when Fenestra starts again</source>
+        <translation>Langue des textes et des nombres de la fenêtre ; elle change au redémarrage de Fenestra</translation>
     </message>
     <message>
         <source>Usual side</source>
@@ -2478,7 +2678,7 @@ Cosinus de l&apos;angle avec la plus proche des six</translation>
     </message>
     <message>
         <source>How usual the view is: from the front rather than from the side, from behind, from above or below</source>
-        <translation>À quel point la vue est habituelle&#xa0;: de face plutôt que de côté, de dos, d&apos;en haut ou d&apos;en bas</translation>
+        <translation>À quel point la vue est habituelle : de face plutôt que de côté, de dos, d'en haut ou d'en bas</translation>
     </message>
     <message>
         <source>Last view</source>
@@ -2493,8 +2693,8 @@ Cosinus de l&apos;angle avec la plus proche des six</translation>
         <translation>Forme</translation>
     </message>
     <message>
-        <source>How well the view shows the structure&apos;s shape around the point: onto what is flat, across what is long</source>
-        <translation>Comment la vue montre la forme de la structure autour du point&#xa0;: de face si plate, en travers si longue</translation>
+        <source>How well the view shows the structure's shape around the point: onto what is flat, across what is long</source>
+        <translation>Comment la vue montre la forme de la structure autour du point : de face si plate, en travers si longue</translation>
     </message>
     <message>
         <source>Unhidden</source>
@@ -2503,6 +2703,14 @@ Cosinus de l&apos;angle avec la plus proche des six</translation>
     <message>
         <source>How little hides the structure around the point, before anything is cut away</source>
         <translation>Combien peu cache la structure autour du point, avant toute découpe</translation>
+    </message>
+    <message>
+        <source>Neurological convention</source>
+        <translation>Convention neurologique</translation>
+    </message>
+    <message>
+        <source>Axial and coronal slices show the patient's left on the left; otherwise it is on the right, as radiologists have it</source>
+        <translation>Les coupes axiales et coronales montrent la gauche du patient à gauche ; sinon à droite, comme en radiologie</translation>
     </message>
 </context>
 <context>
@@ -2521,7 +2729,7 @@ Cosinus de l&apos;angle avec la plus proche des six</translation>
     </message>
     <message>
         <source>Grow a region from here</source>
-        <translation>Faire croître une région d&apos;ici</translation>
+        <translation>Faire croître une région d'ici</translation>
     </message>
     <message>
         <source>Add this to the region</source>
@@ -2548,15 +2756,15 @@ Cosinus de l&apos;angle avec la plus proche des six</translation>
     </message>
     <message>
         <source>it holds one volume: open it without a time point</source>
-        <translation>il contient un seul volume&#xa0;: ouvrez-le sans instant</translation>
+        <translation>il contient un seul volume : ouvrez-le sans instant</translation>
     </message>
     <message>
         <source>open it without naming a series; File → Choose series then lists those that are there</source>
-        <translation>ouvrez-le sans indiquer de série&#xa0;; Fichier → Choisir la série liste alors celles qui existent</translation>
+        <translation>ouvrez-le sans indiquer de série ; Fichier → Choisir la série liste alors celles qui existent</translation>
     </message>
     <message>
         <source>open it as a volume: a dialog asks for the size</source>
-        <translation>ouvrez-le comme volume&#xa0;: un dialogue demande la taille</translation>
+        <translation>ouvrez-le comme volume : un dialogue demande la taille</translation>
     </message>
     <message>
         <source>File → Size of the voxels says otherwise</source>
@@ -2576,19 +2784,19 @@ Cosinus de l&apos;angle avec la plus proche des six</translation>
     </message>
     <message>
         <source>open it as it is stored: Load as is, in the notice about its slices</source>
-        <translation>ouvrez-le tel qu&apos;il est stocké&#xa0;: Charger tel quel, dans l&apos;avis sur ses coupes</translation>
+        <translation>ouvrez-le tel qu'il est stocké : Charger tel quel, dans l'avis sur ses coupes</translation>
     </message>
     <message>
         <source>DICOM, NIfTI, NRRD, MetaImage, MGH, Analyze and TIFF are recognised by content</source>
         <translation>DICOM, NIfTI, NRRD, MetaImage, MGH, Analyze et TIFF sont reconnus par leur contenu</translation>
     </message>
     <message>
-        <source>&quot;Hide the table&quot; in the panel Context brings it back</source>
-        <translation>«&#xa0;Masquer la table&#xa0;» dans le panneau Contexte la ramène</translation>
+        <source>"Hide the table" in the panel Context brings it back</source>
+        <translation>« Masquer la table » dans le panneau Contexte la ramène</translation>
     </message>
     <message>
         <source>open a label map with File → Open labels</source>
-        <translation>ouvrez une carte d&apos;étiquettes avec Fichier → Ouvrir des étiquettes</translation>
+        <translation>ouvrez une carte d'étiquettes avec Fichier → Ouvrir des étiquettes</translation>
     </message>
     <message>
         <source>choose one in the panel Focus</source>
@@ -2639,7 +2847,7 @@ Cosinus de l&apos;angle avec la plus proche des six</translation>
     </message>
     <message>
         <source>&amp;User guide</source>
-        <translation>&amp;Guide de l&apos;utilisateur</translation>
+        <translation>&amp;Guide de l'utilisateur</translation>
     </message>
     <message>
         <source>Guided &amp;tour</source>
@@ -2719,7 +2927,7 @@ Cosinus de l&apos;angle avec la plus proche des six</translation>
     </message>
     <message>
         <source>Open a &amp;table of labels…</source>
-        <translation>Ouvrir une &amp;table d&apos;étiquettes…</translation>
+        <translation>Ouvrir une &amp;table d'étiquettes…</translation>
     </message>
     <message>
         <source>Si&amp;ze of the voxels…</source>
@@ -2791,7 +2999,7 @@ Cosinus de l&apos;angle avec la plus proche des six</translation>
     </message>
     <message>
         <source>Nothing yet</source>
-        <translation>Rien pour l&apos;instant</translation>
+        <translation>Rien pour l'instant</translation>
     </message>
     <message>
         <source>Forget these</source>
@@ -2847,7 +3055,7 @@ Cosinus de l&apos;angle avec la plus proche des six</translation>
     </message>
     <message>
         <source>&amp;Copy picture</source>
-        <translation>&amp;Copier l&apos;image</translation>
+        <translation>&amp;Copier l'image</translation>
     </message>
     <message>
         <source>Se&amp;ttings…</source>
@@ -2971,7 +3179,7 @@ Cosinus de l&apos;angle avec la plus proche des six</translation>
     </message>
     <message>
         <source>Computes pixels drawn at random again, in double precision, and states how exact the picture is</source>
-        <translation>Recalcule en double précision des pixels tirés au hasard et indique l&apos;exactitude de l&apos;image</translation>
+        <translation>Recalcule en double précision des pixels tirés au hasard et indique l'exactitude de l'image</translation>
     </message>
     <message>
         <source>All &amp;views</source>
@@ -3071,7 +3279,7 @@ Cosinus de l&apos;angle avec la plus proche des six</translation>
     </message>
     <message>
         <source>&amp;Freeze the opening</source>
-        <translation>&amp;Figer l&apos;ouverture</translation>
+        <translation>&amp;Figer l'ouverture</translation>
     </message>
     <message>
         <source>F</source>
@@ -3083,7 +3291,7 @@ Cosinus de l&apos;angle avec la plus proche des six</translation>
     </message>
     <message>
         <source>Keeps the opening where it is while the cameras move, so that they look into it (%1)</source>
-        <translation>Laisse l&apos;ouverture en place pendant que les caméras bougent, pour regarder à l&apos;intérieur (%1)</translation>
+        <translation>Laisse l'ouverture en place pendant que les caméras bougent, pour regarder à l'intérieur (%1)</translation>
     </message>
     <message>
         <source>&amp;Crosshair</source>
@@ -3122,8 +3330,277 @@ Cosinus de l&apos;angle avec la plus proche des six</translation>
         <translation>&amp;Qualité au repos</translation>
     </message>
     <message>
-        <source>Bound on the error that sampling leaves in a pixel&apos;s colour</source>
-        <translation>Borne de l&apos;erreur que l&apos;échantillonnage laisse dans la couleur d&apos;un pixel</translation>
+        <source>Bound on the error that sampling leaves in a pixel's colour</source>
+        <translation>Borne de l'erreur que l'échantillonnage laisse dans la couleur d'un pixel</translation>
+    </message>
+    <message>
+        <source>&amp;Slices</source>
+        <translation>Co&amp;upes</translation>
+    </message>
+    <message>
+        <source>Face C&amp;1</source>
+        <translation>Face à C&amp;1</translation>
+    </message>
+    <message>
+        <source>Shift+F</source>
+        <translation>Shift+F</translation>
+    </message>
+    <message>
+        <source>Face C&amp;2</source>
+        <translation>Face à C&amp;2</translation>
+    </message>
+    <message>
+        <source>&amp;Slab</source>
+        <translation>&amp;Bloc</translation>
+    </message>
+    <message>
+        <source>&amp;Outlines in 3-D</source>
+        <translation>Contours &amp;en 3D</translation>
+    </message>
+    <message>
+        <source>Shift+O</source>
+        <translation>Shift+O</translation>
+    </message>
+    <message>
+        <source>&amp;Reset the plane</source>
+        <translation>Ré&amp;initialiser le plan</translation>
+    </message>
+    <message>
+        <source>N</source>
+        <translation>N</translation>
+    </message>
+    <message>
+        <source>Reset &amp;all planes</source>
+        <translation>Réi&amp;nitialiser tous les plans</translation>
+    </message>
+    <message>
+        <source>Shift+N</source>
+        <translation>Shift+N</translation>
+    </message>
+    <message>
+        <source>&amp;Next series</source>
+        <translation>Sér&amp;ie suivante</translation>
+    </message>
+    <message>
+        <source>Ctrl+PgDown</source>
+        <translation>Ctrl+PgDown</translation>
+    </message>
+    <message>
+        <source>Pre&amp;vious series</source>
+        <translation>Série &amp;précédente</translation>
+    </message>
+    <message>
+        <source>Ctrl+PgUp</source>
+        <translation>Ctrl+PgUp</translation>
+    </message>
+    <message>
+        <source>&amp;Close study</source>
+        <translation>Fer&amp;mer l'examen</translation>
+    </message>
+    <message>
+        <source>Ctrl+W</source>
+        <translation>Ctrl+W</translation>
+    </message>
+    <message>
+        <source>Layo&amp;ut of the views</source>
+        <translation>Disposition des vues</translation>
+    </message>
+    <message>
+        <source>&amp;One view, the active one</source>
+        <translation>&amp;Une vue, celle active</translation>
+    </message>
+    <message>
+        <source>&amp;Next view</source>
+        <translation>&amp;Vue suivante</translation>
+    </message>
+    <message>
+        <source>Pre&amp;vious view</source>
+        <translation>Vue &amp;précédente</translation>
+    </message>
+    <message>
+        <source>&amp;Keep this layout…</source>
+        <translation>&amp;Garder cette disposition…</translation>
+    </message>
+    <message>
+        <source>&amp;Forget</source>
+        <translation>&amp;Oublier</translation>
+    </message>
+    <message>
+        <source>Keep this layout</source>
+        <translation>Garder cette disposition</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Nom</translation>
+    </message>
+    <message>
+        <source>S&amp;lices</source>
+        <translation>C&amp;oupes</translation>
+    </message>
+    <message>
+        <source>&amp;Flip left and right</source>
+        <translation>&amp;Retourner gauche et droite</translation>
+    </message>
+    <message>
+        <source>X</source>
+        <translation>X</translation>
+    </message>
+    <message>
+        <source>Flip &amp;up and down</source>
+        <translation>Retourner &amp;haut et bas</translation>
+    </message>
+    <message>
+        <source>Y</source>
+        <translation>Y</translation>
+    </message>
+    <message>
+        <source>&amp;Turn by 90°</source>
+        <translation>&amp;Tourner de 90°</translation>
+    </message>
+    <message>
+        <source>Z</source>
+        <translation>Z</translation>
+    </message>
+    <message>
+        <source>True &amp;size</source>
+        <translation>T&amp;aille réelle</translation>
+    </message>
+    <message>
+        <source>J</source>
+        <translation>J</translation>
+    </message>
+    <message>
+        <source>This screen does not say how large it is, so that true size cannot be shown.</source>
+        <translation>Cet écran n'indique pas sa taille : la taille réelle ne peut pas être affichée.</translation>
+    </message>
+    <message>
+        <source>&amp;Neurological convention</source>
+        <translation>&amp;Convention neurologique</translation>
+    </message>
+    <message>
+        <source>U</source>
+        <translation>U</translation>
+    </message>
+    <message>
+        <source>&amp;Play</source>
+        <translation>&amp;Lecture</translation>
+    </message>
+    <message>
+        <source>K</source>
+        <translation>K</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n slices a second</source>
+        <translation>
+            <numerusform>%n coupe par seconde</numerusform><numerusform>%n coupes par seconde</numerusform></translation>
+    </message>
+    <message>
+        <source>Play fa&amp;ster</source>
+        <translation>&amp;Plus vite</translation>
+    </message>
+    <message>
+        <source>Shift+K</source>
+        <translation>Shift+K</translation>
+    </message>
+    <message>
+        <source>Play slo&amp;wer</source>
+        <translation>&amp;Moins vite</translation>
+    </message>
+    <message>
+        <source>Ctrl+K</source>
+        <translation>Ctrl+K</translation>
+    </message>
+    <message>
+        <source>Ctrl+Y</source>
+        <translation>Ctrl+Y</translation>
+    </message>
+    <message>
+        <source>Change &amp;keys…</source>
+        <translation>&amp;Changer les touches…</translation>
+    </message>
+    <message>
+        <source>%1  (%2 % to %3 % of the values)</source>
+        <translation>%1  (%2 % à %3 % des valeurs)</translation>
+    </message>
+    <message>
+        <source>SUV 0 to %1</source>
+        <translation>SUV 0 à %1</translation>
+    </message>
+    <message>
+        <source>&amp;My windows</source>
+        <translation>&amp;Mes fenêtres</translation>
+    </message>
+    <message>
+        <source>&amp;Keep this window…</source>
+        <translation>&amp;Garder cette fenêtre…</translation>
+    </message>
+    <message>
+        <source>%1  (%2 / %3)</source>
+        <translation>%1  (%2 / %3)</translation>
+    </message>
+    <message>
+        <source>Keep this window</source>
+        <translation>Garder cette fenêtre</translation>
+    </message>
+    <message>
+        <source>Brain</source>
+        <translation>Cerveau</translation>
+    </message>
+    <message>
+        <source>Abdomen</source>
+        <translation>Abdomen</translation>
+    </message>
+    <message>
+        <source>Mediastinum</source>
+        <translation>Médiastin</translation>
+    </message>
+    <message>
+        <source>Bone</source>
+        <translation>Os</translation>
+    </message>
+    <message>
+        <source>Lung</source>
+        <translation>Poumon</translation>
+    </message>
+    <message>
+        <source>Stroke</source>
+        <translation>AVC</translation>
+    </message>
+    <message>
+        <source>Subdural</source>
+        <translation>Sous-dural</translation>
+    </message>
+    <message>
+        <source>Liver</source>
+        <translation>Foie</translation>
+    </message>
+    <message>
+        <source>Temporal bone</source>
+        <translation>Rocher</translation>
+    </message>
+    <message>
+        <source>Spine, soft tissue</source>
+        <translation>Rachis, parties molles</translation>
+    </message>
+    <message>
+        <source>Spine, bone</source>
+        <translation>Rachis, os</translation>
+    </message>
+    <message>
+        <source>Usual</source>
+        <translation>Habituel</translation>
+    </message>
+    <message>
+        <source>All but outliers</source>
+        <translation>Tout sauf extrêmes</translation>
+    </message>
+    <message>
+        <source>High contrast</source>
+        <translation>Contraste élevé</translation>
+    </message>
+    <message>
+        <source>Bright structures</source>
+        <translation>Structures claires</translation>
     </message>
 </context>
 <context>
@@ -3138,7 +3615,7 @@ Cosinus de l&apos;angle avec la plus proche des six</translation>
     </message>
     <message>
         <source>Ready-made light: how surfaces give it back, from wherever it comes</source>
-        <translation>Lumière toute prête&#xa0;: comment les surfaces la renvoient, d&apos;où qu&apos;elle vienne</translation>
+        <translation>Lumière toute prête : comment les surfaces la renvoient, d'où qu'elle vienne</translation>
     </message>
     <message>
         <source>own</source>
@@ -3149,30 +3626,30 @@ Cosinus de l&apos;angle avec la plus proche des six</translation>
     <name>fenestra::viewer::BestViews</name>
     <message>
         <source>One of the best viewpoints; click to look from there with C1</source>
-        <translation>L&apos;un des meilleurs points de vue&#xa0;; cliquer pour regarder de là avec C1</translation>
+        <translation>L'un des meilleurs points de vue ; cliquer pour regarder de là avec C1</translation>
     </message>
 </context>
 <context>
     <name>fenestra::viewer::Brush</name>
     <message>
         <source>Nothing is open: choose a focus first</source>
-        <translation>Rien n&apos;est ouvert&#xa0;: choisir d&apos;abord une cible</translation>
+        <translation>Rien n'est ouvert : choisir d'abord une cible</translation>
     </message>
     <message>
         <source>The opening is switched off</source>
-        <translation>L&apos;ouverture est désactivée</translation>
+        <translation>L'ouverture est désactivée</translation>
     </message>
     <message>
         <source>This method cuts nothing away</source>
-        <translation>Cette méthode n&apos;enlève rien</translation>
+        <translation>Cette méthode n'enlève rien</translation>
     </message>
     <message>
         <source>Nothing is there</source>
-        <translation>Il n&apos;y a rien ici</translation>
+        <translation>Il n'y a rien ici</translation>
     </message>
     <message>
         <source>Nothing was removed here</source>
-        <translation>Rien n&apos;a été enlevé ici</translation>
+        <translation>Rien n'a été enlevé ici</translation>
     </message>
     <message>
         <source>The brush may not cover the focus</source>
@@ -3180,10 +3657,10 @@ Cosinus de l&apos;angle avec la plus proche des six</translation>
     </message>
     <message>
         <source>Open down to the focus already</source>
-        <translation>Déjà ouvert jusqu&apos;à la cible</translation>
+        <translation>Déjà ouvert jusqu'à la cible</translation>
     </message>
     <message>
-        <source>The context&apos;s edges are switched off</source>
+        <source>The context's edges are switched off</source>
         <translation>Les arêtes du contexte sont désactivées</translation>
     </message>
     <message>
@@ -3192,7 +3669,7 @@ Cosinus de l&apos;angle avec la plus proche des six</translation>
     </message>
     <message>
         <source>switch the opening on</source>
-        <translation>activer l&apos;ouverture</translation>
+        <translation>activer l'ouverture</translation>
     </message>
     <message>
         <source>open instead</source>
@@ -3212,7 +3689,7 @@ Cosinus de l&apos;angle avec la plus proche des six</translation>
     </message>
     <message>
         <source>take the adaptive cutaway</source>
-        <translation>prendre l&apos;écorché adaptatif</translation>
+        <translation>prendre l'écorché adaptatif</translation>
     </message>
     <message>
         <source>Open the context</source>
@@ -3223,16 +3700,16 @@ Cosinus de l&apos;angle avec la plus proche des six</translation>
         <translation>Méthode</translation>
     </message>
     <message>
-        <source>Context&apos;s edges</source>
+        <source>Context's edges</source>
         <translation>Arêtes du contexte</translation>
     </message>
     <message>
         <source>Brush: %1</source>
-        <translation>Pinceau&#xa0;: %1</translation>
+        <translation>Pinceau : %1</translation>
     </message>
     <message>
         <source>Space: %1</source>
-        <translation>Espace&#xa0;: %1</translation>
+        <translation>Espace : %1</translation>
     </message>
     <message>
         <source>%1 %2 mm</source>
@@ -3240,7 +3717,7 @@ Cosinus de l&apos;angle avec la plus proche des six</translation>
     </message>
     <message>
         <source>%1 to the surface</source>
-        <translation>%1 jusqu&apos;à la surface</translation>
+        <translation>%1 jusqu'à la surface</translation>
     </message>
     <message>
         <source>%1 %2 %</source>
@@ -3251,7 +3728,7 @@ Cosinus de l&apos;angle avec la plus proche des six</translation>
     <name>fenestra::viewer::BrushPanel</name>
     <message>
         <source>Restore to the surface</source>
-        <translation>Restaurer jusqu&apos;à la surface</translation>
+        <translation>Restaurer jusqu'à la surface</translation>
     </message>
     <message>
         <source>May cover the focus</source>
@@ -3267,11 +3744,11 @@ Cosinus de l&apos;angle avec la plus proche des six</translation>
     </message>
     <message>
         <source>The left button paints; Ctrl+left drag still turns the view (P; E for the opposite brush)</source>
-        <translation>Le bouton gauche peint&#xa0;; Ctrl+glisser tourne toujours la vue (P&#xa0;; E pour le pinceau opposé)</translation>
+        <translation>Le bouton gauche peint ; Ctrl+glisser tourne toujours la vue (P ; E pour le pinceau opposé)</translation>
     </message>
     <message>
         <source>Restore brings back all that was removed under the brush; otherwise no more than the depth</source>
-        <translation>Restaurer ramène tout ce qui a été enlevé sous le pinceau&#xa0;; sinon pas plus que la profondeur</translation>
+        <translation>Restaurer ramène tout ce qui a été enlevé sous le pinceau ; sinon pas plus que la profondeur</translation>
     </message>
     <message>
         <source>Otherwise restored tissue never hides the focus</source>
@@ -3313,7 +3790,7 @@ Cosinus de l&apos;angle avec la plus proche des six</translation>
         <translation>Cherche la meilleure vue de la cible et celle qui la complète (F5)</translation>
     </message>
     <message>
-        <source>The two views see &lt;b&gt;%1 %&lt;/b&gt; of the focus&apos;s surface</source>
+        <source>The two views see &lt;b&gt;%1 %&lt;/b&gt; of the focus's surface</source>
         <translation>Les deux vues voient &lt;b&gt;%1 %&lt;/b&gt; de la surface de la cible</translation>
     </message>
     <message>
@@ -3334,14 +3811,14 @@ Cosinus de l&apos;angle avec la plus proche des six</translation>
     </message>
     <message>
         <source>Choose a focus first</source>
-        <translation>Choisir d&apos;abord une cible</translation>
+        <translation>Choisir d'abord une cible</translation>
     </message>
 </context>
 <context>
     <name>fenestra::viewer::Carving</name>
     <message>
         <source>Carve: %1</source>
-        <translation>Sculpter&#xa0;: %1</translation>
+        <translation>Sculpter : %1</translation>
     </message>
     <message>
         <source>Bend the plane</source>
@@ -3360,7 +3837,7 @@ Cosinus de l&apos;angle avec la plus proche des six</translation>
     </message>
     <message>
         <source>The left button carves in all views when it is let go; Ctrl+left drag still turns the view</source>
-        <translation>Le bouton gauche sculpte dans toutes les vues au relâchement&#xa0;; Ctrl+glisser tourne toujours la vue</translation>
+        <translation>Le bouton gauche sculpte dans toutes les vues au relâchement ; Ctrl+glisser tourne toujours la vue</translation>
     </message>
     <message>
         <source>Brings back all that was carved away</source>
@@ -3379,7 +3856,7 @@ Cosinus de l&apos;angle avec la plus proche des six</translation>
     </message>
     <message>
         <source>Cut everything off behind a plane; up to three</source>
-        <translation>Coupe tout ce qui est derrière un plan&#xa0;; trois au plus</translation>
+        <translation>Coupe tout ce qui est derrière un plan ; trois au plus</translation>
     </message>
     <message>
         <source>Flip</source>
@@ -3387,7 +3864,7 @@ Cosinus de l&apos;angle avec la plus proche des six</translation>
     </message>
     <message>
         <source>Keep the other side of the plane</source>
-        <translation>Garder l&apos;autre côté du plan</translation>
+        <translation>Garder l'autre côté du plan</translation>
     </message>
     <message>
         <source>Remove</source>
@@ -3418,11 +3895,11 @@ Cosinus de l&apos;angle avec la plus proche des six</translation>
         <translation>I – S</translation>
     </message>
     <message>
-        <source>The patient&apos;s right end of the box</source>
+        <source>The patient's right end of the box</source>
         <translation>Côté droit de la boîte (celui du patient)</translation>
     </message>
     <message>
-        <source>The patient&apos;s left end of the box</source>
+        <source>The patient's left end of the box</source>
         <translation>Côté gauche de la boîte (celui du patient)</translation>
     </message>
     <message>
@@ -3442,8 +3919,8 @@ Cosinus de l&apos;angle avec la plus proche des six</translation>
         <translation>Face supérieure de la boîte</translation>
     </message>
     <message>
-        <source>Drag a plane&apos;s square to move it, and the ball at its arrow to tilt it, in any view</source>
-        <translation>Glisser le carré d&apos;un plan pour le déplacer et la boule de sa flèche pour l&apos;incliner, dans n&apos;importe quelle vue</translation>
+        <source>Drag a plane's square to move it, and the ball at its arrow to tilt it, in any view</source>
+        <translation>Glisser le carré d'un plan pour le déplacer et la boule de sa flèche pour l'incliner, dans n'importe quelle vue</translation>
     </message>
     <message>
         <source>Where the plane lies along its arrow</source>
@@ -3466,8 +3943,8 @@ Cosinus de l&apos;angle avec la plus proche des six</translation>
         <translation>Face à la caméra C1</translation>
     </message>
     <message>
-        <source>3-D pictures show only the inside of a box along the volume&apos;s axes</source>
-        <translation>Les images 3D ne montrent que l&apos;intérieur d&apos;une boîte selon les axes du volume</translation>
+        <source>3-D pictures show only the inside of a box along the volume's axes</source>
+        <translation>Les images 3D ne montrent que l'intérieur d'une boîte selon les axes du volume</translation>
     </message>
     <message>
         <source>As the transfer function</source>
@@ -3519,7 +3996,7 @@ Cosinus de l&apos;angle avec la plus proche des six</translation>
     </message>
     <message>
         <source>Structures that are never clipped: %1</source>
-        <translation>Structures jamais découpées&#xa0;: %1</translation>
+        <translation>Structures jamais découpées : %1</translation>
     </message>
     <message>
         <source>Clip planes</source>
@@ -3530,7 +4007,7 @@ Cosinus de l&apos;angle avec la plus proche des six</translation>
     <name>fenestra::viewer::ContextLayerPanel</name>
     <message>
         <source>Context edges: %1</source>
-        <translation>Arêtes du contexte&#xa0;: %1</translation>
+        <translation>Arêtes du contexte : %1</translation>
     </message>
 </context>
 <context>
@@ -3548,20 +4025,20 @@ Cosinus de l&apos;angle avec la plus proche des six</translation>
         <translation>Apparence</translation>
     </message>
     <message>
-        <source>Smooth edges, by several rays a pixel, are the adaptive cutaway&apos;s alone</source>
-        <translation>Les bords lisses, par plusieurs rayons par pixel, sont réservés à l&apos;écorché adaptatif</translation>
+        <source>Smooth edges, by several rays a pixel, are the adaptive cutaway's alone</source>
+        <translation>Les bords lisses, par plusieurs rayons par pixel, sont réservés à l'écorché adaptatif</translation>
     </message>
     <message>
         <source>This method has no width: it cuts nothing away</source>
-        <translation>Cette méthode n&apos;a pas de largeur&#xa0;: elle n&apos;enlève rien</translation>
+        <translation>Cette méthode n'a pas de largeur : elle n'enlève rien</translation>
     </message>
     <message>
         <source>This method has no width of its own: the focus and the lens decide on it</source>
-        <translation>Cette méthode n&apos;a pas de largeur propre&#xa0;: la cible et la lentille en décident</translation>
+        <translation>Cette méthode n'a pas de largeur propre : la cible et la lentille en décident</translation>
     </message>
     <message>
         <source>This method has no width of its own: the focus and the angle decide on it</source>
-        <translation>Cette méthode n&apos;a pas de largeur propre&#xa0;: la cible et l&apos;angle en décident</translation>
+        <translation>Cette méthode n'a pas de largeur propre : la cible et l'angle en décident</translation>
     </message>
     <message>
         <source>The line of this method is the rim of its lens</source>
@@ -3569,7 +4046,7 @@ Cosinus de l&apos;angle avec la plus proche des six</translation>
     </message>
     <message>
         <source>This method has no line: it cuts nothing away</source>
-        <translation>Cette méthode n&apos;a pas de ligne&#xa0;: elle n&apos;enlève rien</translation>
+        <translation>Cette méthode n'a pas de ligne : elle n'enlève rien</translation>
     </message>
 </context>
 <context>
@@ -3632,15 +4109,15 @@ Cosinus de l&apos;angle avec la plus proche des six</translation>
     </message>
     <message>
         <source>The focus before still shows, until you open to the region</source>
-        <translation>La cible précédente reste affichée jusqu&apos;à l&apos;ouverture vers la région</translation>
+        <translation>La cible précédente reste affichée jusqu'à l'ouverture vers la région</translation>
     </message>
     <message>
         <source>Growing the region; the focus before still shows</source>
-        <translation>La région croît&#xa0;; la cible précédente reste affichée</translation>
+        <translation>La région croît ; la cible précédente reste affichée</translation>
     </message>
     <message>
         <source>Growing the region; this is a first part</source>
-        <translation>La région croît&#xa0;; en voici une première partie</translation>
+        <translation>La région croît ; en voici une première partie</translation>
     </message>
 </context>
 <context>
@@ -3698,7 +4175,7 @@ Cosinus de l&apos;angle avec la plus proche des six</translation>
     <name>fenestra::viewer::FocusPanel</name>
     <message>
         <source>No labels. Click a structure in a picture, open a label map (Ctrl+L), or choose a range of values below.</source>
-        <translation>Aucune étiquette. Cliquez une structure dans une image, ouvrez une carte d&apos;étiquettes (Ctrl+L) ou choisissez une plage de valeurs ci-dessous.</translation>
+        <translation>Aucune étiquette. Cliquez une structure dans une image, ouvrez une carte d'étiquettes (Ctrl+L) ou choisissez une plage de valeurs ci-dessous.</translation>
     </message>
     <message>
         <source>Focus on values</source>
@@ -3726,7 +4203,7 @@ Cosinus de l&apos;angle avec la plus proche des six</translation>
     </message>
     <message>
         <source>The left button paints the region in focus in all views; with Shift it erases</source>
-        <translation>Le bouton gauche peint la région ciblée dans toutes les vues&#xa0;; avec Maj il efface</translation>
+        <translation>Le bouton gauche peint la région ciblée dans toutes les vues ; avec Maj il efface</translation>
     </message>
     <message>
         <source>Radius</source>
@@ -3738,7 +4215,7 @@ Cosinus de l&apos;angle avec la plus proche des six</translation>
     </message>
     <message>
         <source>Nothing open</source>
-        <translation>Rien d&apos;ouvert</translation>
+        <translation>Rien d'ouvert</translation>
     </message>
 </context>
 <context>
@@ -3749,7 +4226,7 @@ Cosinus de l&apos;angle avec la plus proche des six</translation>
     </message>
     <message>
         <source>User guide of Fenestra</source>
-        <translation>Guide de l&apos;utilisateur de Fenestra</translation>
+        <translation>Guide de l'utilisateur de Fenestra</translation>
     </message>
     <message>
         <source>Back</source>
@@ -3789,14 +4266,14 @@ Cosinus de l&apos;angle avec la plus proche des six</translation>
     </message>
     <message>
         <source>Return goes to the next place (Ctrl+F)</source>
-        <translation>Entrée va à l&apos;endroit suivant (Ctrl+F)</translation>
+        <translation>Entrée va à l'endroit suivant (Ctrl+F)</translation>
     </message>
 </context>
 <context>
     <name>fenestra::viewer::ImportanceList</name>
     <message>
         <source>What hides a label of a higher level is opened for it; what has the same level or a higher one never is. All else has level 0.</source>
-        <translation>Ce qui cache une étiquette de niveau supérieur s&apos;ouvre pour elle&#xa0;; ce qui a le même niveau ou un niveau supérieur, jamais. Tout le reste est de niveau 0.</translation>
+        <translation>Ce qui cache une étiquette de niveau supérieur s'ouvre pour elle ; ce qui a le même niveau ou un niveau supérieur, jamais. Tout le reste est de niveau 0.</translation>
     </message>
     <message>
         <source>Another label…</source>
@@ -3804,11 +4281,11 @@ Cosinus de l&apos;angle avec la plus proche des six</translation>
     </message>
     <message>
         <source>Gives a label that is not in focus a level of importance</source>
-        <translation>Donne un niveau d&apos;importance à une étiquette hors de la cible</translation>
+        <translation>Donne un niveau d'importance à une étiquette hors de la cible</translation>
     </message>
     <message>
         <source>Level of importance</source>
-        <translation>Niveau d&apos;importance</translation>
+        <translation>Niveau d'importance</translation>
     </message>
 </context>
 <context>
@@ -3819,7 +4296,7 @@ Cosinus de l&apos;angle avec la plus proche des six</translation>
     </message>
     <message>
         <source>Add what lies within this distance; other labels keep their voxels</source>
-        <translation>Ajoute ce qui est à cette distance&#xa0;; les autres étiquettes gardent leurs voxels</translation>
+        <translation>Ajoute ce qui est à cette distance ; les autres étiquettes gardent leurs voxels</translation>
     </message>
     <message>
         <source>Shrink</source>
@@ -3827,7 +4304,7 @@ Cosinus de l&apos;angle avec la plus proche des six</translation>
     </message>
     <message>
         <source>Remove what lies within this distance of the outside</source>
-        <translation>Enlève ce qui est à cette distance de l&apos;extérieur</translation>
+        <translation>Enlève ce qui est à cette distance de l'extérieur</translation>
     </message>
     <message>
         <source>Remove islands</source>
@@ -3843,18 +4320,18 @@ Cosinus de l&apos;angle avec la plus proche des six</translation>
     </message>
     <message>
         <source>Add what the label encloses</source>
-        <translation>Ajoute ce que l&apos;étiquette enferme</translation>
+        <translation>Ajoute ce que l'étiquette enferme</translation>
     </message>
 </context>
 <context>
     <name>fenestra::viewer::LabelEditor</name>
     <message>
         <source>Grow label</source>
-        <translation>Dilater l&apos;étiquette</translation>
+        <translation>Dilater l'étiquette</translation>
     </message>
     <message>
         <source>Shrink label</source>
-        <translation>Éroder l&apos;étiquette</translation>
+        <translation>Éroder l'étiquette</translation>
     </message>
     <message>
         <source>Fill holes</source>
@@ -3870,30 +4347,30 @@ Cosinus de l&apos;angle avec la plus proche des six</translation>
     </message>
     <message>
         <source>All 65535 values that a label may have are in use</source>
-        <translation>Les 65535 valeurs possibles d&apos;une étiquette sont utilisées</translation>
+        <translation>Les 65535 valeurs possibles d'une étiquette sont utilisées</translation>
     </message>
     <message>
         <source>Nothing would be left of the label</source>
-        <translation>Il ne resterait rien de l&apos;étiquette</translation>
+        <translation>Il ne resterait rien de l'étiquette</translation>
     </message>
 </context>
 <context>
     <name>fenestra::viewer::LabelList</name>
     <message>
-        <source>No structure&apos;s name has these words.</source>
+        <source>No structure's name has these words.</source>
         <translation>Aucune structure ne porte ces mots.</translation>
     </message>
     <message>
         <source>Show the label</source>
-        <translation>Afficher l&apos;étiquette</translation>
+        <translation>Afficher l'étiquette</translation>
     </message>
     <message>
         <source>Do not show the label</source>
-        <translation>Ne pas afficher l&apos;étiquette</translation>
+        <translation>Ne pas afficher l'étiquette</translation>
     </message>
     <message>
         <source>Colour of the label</source>
-        <translation>Couleur de l&apos;étiquette</translation>
+        <translation>Couleur de l'étiquette</translation>
     </message>
     <message>
         <source>Focus</source>
@@ -3901,7 +4378,7 @@ Cosinus de l&apos;angle avec la plus proche des six</translation>
     </message>
     <message>
         <source>What the view opens to</source>
-        <translation>Ce vers quoi la vue s&apos;ouvre</translation>
+        <translation>Ce vers quoi la vue s'ouvre</translation>
     </message>
     <message>
         <source>Never clipped</source>
@@ -3920,8 +4397,8 @@ Cosinus de l&apos;angle avec la plus proche des six</translation>
         <translation>Couleur…</translation>
     </message>
     <message>
-        <source>The label map&apos;s own colour</source>
-        <translation>La couleur de la carte d&apos;étiquettes</translation>
+        <source>The label map's own colour</source>
+        <translation>La couleur de la carte d'étiquettes</translation>
     </message>
     <message>
         <source>Colour</source>
@@ -3940,7 +4417,7 @@ Cosinus de l&apos;angle avec la plus proche des six</translation>
     </message>
     <message>
         <source>Label %1. Tick it to open the view to it; double-click to focus on it alone and go there; F2 renames it.</source>
-        <translation>Étiquette %1. La cocher ouvre la vue vers elle&#xa0;; un double clic en fait la seule cible et y va&#xa0;; F2 la renomme.</translation>
+        <translation>Étiquette %1. La cocher ouvre la vue vers elle ; un double clic en fait la seule cible et y va ; F2 la renomme.</translation>
     </message>
     <message>
         <source>Click to choose another colour</source>
@@ -3948,34 +4425,32 @@ Cosinus de l&apos;angle avec la plus proche des six</translation>
     </message>
     <message>
         <source>Click to show it or not: slices tint what is visible, and 3-D pictures draw it while it is in focus or protected</source>
-        <translation>Cliquer pour l&apos;afficher ou non&#xa0;: les coupes teintent ce qui est visible, et les images 3D la dessinent si elle est ciblée ou protégée</translation>
+        <translation>Cliquer pour l'afficher ou non : les coupes teintent ce qui est visible, et les images 3D la dessinent si elle est ciblée ou protégée</translation>
     </message>
     <message>
         <source>%1: %2</source>
-        <translation>%1&#xa0;: %2</translation>
+        <translation>%1 : %2</translation>
     </message>
     <message>
         <source>Focus: what the view opens to</source>
-        <translation>Cible&#xa0;: ce vers quoi la vue s&apos;ouvre</translation>
+        <translation>Cible : ce vers quoi la vue s'ouvre</translation>
     </message>
     <message>
         <source>Opacity of its surface, however thick it is, and of its tint on slices; click to change it. At 0 % it is left out of the 3-D pictures.</source>
-        <translation>Opacité de sa surface, quelle que soit son épaisseur, et de sa teinte sur les coupes&#xa0;; cliquer pour la changer. À 0 %, elle est absente des images 3D.</translation>
+        <translation>Opacité de sa surface, quelle que soit son épaisseur, et de sa teinte sur les coupes ; cliquer pour la changer. À 0 %, elle est absente des images 3D.</translation>
     </message>
     <message>
         <source>C1 sees %1 of its surface, C2 %2, both together %3: measured where cameras are tried, nearest to these</source>
-        <translation>C1 voit %1 de sa surface, C2 %2, les deux ensemble %3&#xa0;: mesuré aux caméras essayées les plus proches</translation>
+        <translation>C1 voit %1 de sa surface, C2 %2, les deux ensemble %3 : mesuré aux caméras essayées les plus proches</translation>
     </message>
     <message>
         <source>Share of its surface that C1 and C2 see; measured for labels in focus when cameras are placed</source>
-        <translation>Part de sa surface que voient C1 et C2&#xa0;; mesurée pour les étiquettes ciblées au placement des caméras</translation>
+        <translation>Part de sa surface que voient C1 et C2 ; mesurée pour les étiquettes ciblées au placement des caméras</translation>
     </message>
     <message numerus="yes">
         <source>%n label(s) without voxels</source>
         <translation>
-            <numerusform>%n étiquette sans voxels</numerusform>
-            <numerusform>%n étiquettes sans voxels</numerusform>
-        </translation>
+            <numerusform>%n étiquette sans voxels</numerusform><numerusform>%n étiquettes sans voxels</numerusform></translation>
     </message>
     <message>
         <source>Structure</source>
@@ -4009,11 +4484,11 @@ Cosinus de l&apos;angle avec la plus proche des six</translation>
     </message>
     <message>
         <source>Editing the label</source>
-        <translation>Modification de l&apos;étiquette</translation>
+        <translation>Modification de l'étiquette</translation>
     </message>
     <message>
         <source>Verifying the picture</source>
-        <translation>Vérification de l&apos;image</translation>
+        <translation>Vérification de l'image</translation>
     </message>
     <message>
         <source>Opening…</source>
@@ -4025,7 +4500,7 @@ Cosinus de l&apos;angle avec la plus proche des six</translation>
     </message>
     <message>
         <source>%1 was named at the start and is not open.</source>
-        <translation>%1 a été indiqué au démarrage et n&apos;est pas ouvert.</translation>
+        <translation>%1 a été indiqué au démarrage et n'est pas ouvert.</translation>
     </message>
     <message>
         <source>Open</source>
@@ -4033,7 +4508,7 @@ Cosinus de l&apos;angle avec la plus proche des six</translation>
     </message>
     <message>
         <source>Other data</source>
-        <translation>D&apos;autres données</translation>
+        <translation>D'autres données</translation>
     </message>
     <message>
         <source>Place cameras</source>
@@ -4041,7 +4516,7 @@ Cosinus de l&apos;angle avec la plus proche des six</translation>
     </message>
     <message>
         <source>The region is %1, which is %2 % of the body. The slices show its outline; open the 3-D views to it?</source>
-        <translation>La région fait %1, soit %2 % du corps. Les coupes montrent son contour&#xa0;; ouvrir les vues 3D vers elle&#xa0;?</translation>
+        <translation>La région fait %1, soit %2 % du corps. Les coupes montrent son contour ; ouvrir les vues 3D vers elle ?</translation>
     </message>
     <message>
         <source>Open to it</source>
@@ -4049,11 +4524,11 @@ Cosinus de l&apos;angle avec la plus proche des six</translation>
     </message>
     <message>
         <source>Take it back</source>
-        <translation>L&apos;annuler</translation>
+        <translation>L'annuler</translation>
     </message>
     <message>
         <source>%1 lies over other labels and took %2 from them; undo brings them back.</source>
-        <translation>%1 recouvre d&apos;autres étiquettes et leur a pris %2&#xa0;; Annuler les ramène.</translation>
+        <translation>%1 recouvre d'autres étiquettes et leur a pris %2 ; Annuler les ramène.</translation>
     </message>
 </context>
 <context>
@@ -4076,9 +4551,7 @@ Cosinus de l&apos;angle avec la plus proche des six</translation>
     <message numerus="yes">
         <source>%n more</source>
         <translation>
-            <numerusform>%n autre</numerusform>
-            <numerusform>%n autres</numerusform>
-        </translation>
+            <numerusform>%n autre</numerusform><numerusform>%n autres</numerusform></translation>
     </message>
     <message>
         <source>Dismiss</source>
@@ -4098,11 +4571,11 @@ Planes shown: %3, %4 mm apart
 Farthest from its place as shown: %5 mm; with the slices spread evenly: %6 mm
 Planes in wide gaps: %7
 Voxels outside of what was scanned: %8</source>
-        <translation>Coupes acquises&#xa0;: %1, espacées le plus souvent de %L2 mm
-Plans affichés&#xa0;: %3, espacés de %L4 mm
-Plus grand écart à la place réelle, tel qu&apos;affiché&#xa0;: %L5 mm&#xa0;; coupes réparties régulièrement&#xa0;: %L6 mm
-Plans dans de larges vides&#xa0;: %7
-Voxels hors de ce qui a été acquis&#xa0;: %8</translation>
+        <translation>Coupes acquises : %1, espacées le plus souvent de %L2 mm
+Plans affichés : %3, espacés de %L4 mm
+Plus grand écart à la place réelle, tel qu'affiché : %L5 mm ; coupes réparties régulièrement : %L6 mm
+Plans dans de larges vides : %7
+Voxels hors de ce qui a été acquis : %8</translation>
     </message>
     <message>
         <source>Report…</source>
@@ -4184,7 +4657,7 @@ Voxels hors de ce qui a été acquis&#xa0;: %8</translation>
     </message>
     <message>
         <source>No 3-D view is on screen that could turn.</source>
-        <translation>Aucune vue 3D à l&apos;écran ne peut tourner.</translation>
+        <translation>Aucune vue 3D à l'écran ne peut tourner.</translation>
     </message>
     <message>
         <source>PNG, one for each picture</source>
@@ -4204,7 +4677,7 @@ Voxels hors de ce qui a été acquis&#xa0;: %8</translation>
     </message>
     <message>
         <source>%1 exists already: choose another name, or delete the pictures of an earlier turntable.</source>
-        <translation>%1 existe déjà&#xa0;: choisissez un autre nom, ou supprimez les images d&apos;une rotation antérieure.</translation>
+        <translation>%1 existe déjà : choisissez un autre nom, ou supprimez les images d'une rotation antérieure.</translation>
     </message>
     <message>
         <source>Cancel</source>
@@ -4220,15 +4693,15 @@ Voxels hors de ce qui a été acquis&#xa0;: %8</translation>
     </message>
     <message>
         <source>ffmpeg cannot be started; save PNGs instead.</source>
-        <translation>ffmpeg ne peut pas être lancé&#xa0;; enregistrez plutôt des PNG.</translation>
+        <translation>ffmpeg ne peut pas être lancé ; enregistrez plutôt des PNG.</translation>
     </message>
     <message>
         <source>ffmpeg could not write %1: %2</source>
-        <translation>ffmpeg n&apos;a pas pu écrire %1&#xa0;: %2</translation>
+        <translation>ffmpeg n'a pas pu écrire %1 : %2</translation>
     </message>
     <message>
         <source>%1 cannot be written: %2</source>
-        <translation>%1 ne peut pas être écrit&#xa0;: %2</translation>
+        <translation>%1 ne peut pas être écrit : %2</translation>
     </message>
 </context>
 <context>
@@ -4246,18 +4719,18 @@ Voxels hors de ce qui a été acquis&#xa0;: %8</translation>
     <name>fenestra::viewer::PlacementController</name>
     <message>
         <source>The focus cannot be measured: %1</source>
-        <translation>La cible ne peut pas être mesurée&#xa0;: %1</translation>
+        <translation>La cible ne peut pas être mesurée : %1</translation>
     </message>
     <message>
         <source>No view of that point: %1</source>
-        <translation>Pas de vue de ce point&#xa0;: %1</translation>
+        <translation>Pas de vue de ce point : %1</translation>
     </message>
 </context>
 <context>
     <name>fenestra::viewer::PlacementForm</name>
     <message>
         <source>Place the cameras when a focus is chosen</source>
-        <translation>Placer les caméras au choix d&apos;une cible</translation>
+        <translation>Placer les caméras au choix d'une cible</translation>
     </message>
     <message>
         <source>Second view follows the first</source>
@@ -4280,8 +4753,8 @@ Voxels hors de ce qui a été acquis&#xa0;: %8</translation>
 The focus: its best view and one that complements it.
 A point clicked on a slice: a click there turns both views to the structure at that point, which needs no label (LiveSync, Kohlmann et al. 2007)</source>
         <translation>Ce que regardent les caméras.
-La cible&#xa0;: sa meilleure vue et une qui la complète.
-Un point cliqué sur une coupe&#xa0;: un clic tourne les deux vues vers la structure à ce point, qui n&apos;a pas besoin d&apos;étiquette (LiveSync, Kohlmann et al. 2007)</translation>
+La cible : sa meilleure vue et une qui la complète.
+Un point cliqué sur une coupe : un clic tourne les deux vues vers la structure à ce point, qui n'a pas besoin d'étiquette (LiveSync, Kohlmann et al. 2007)</translation>
     </message>
     <message>
         <source> mm</source>
@@ -4289,14 +4762,12 @@ Un point cliqué sur une coupe&#xa0;: un clic tourne les deux vues vers la struc
     </message>
     <message>
         <source>How far from the point its structure counts</source>
-        <translation>Jusqu&apos;à quelle distance du point sa structure compte</translation>
+        <translation>Jusqu'à quelle distance du point sa structure compte</translation>
     </message>
     <message numerus="yes">
         <source>%n views</source>
         <translation>
-            <numerusform>%n vue</numerusform>
-            <numerusform>%n vues</numerusform>
-        </translation>
+            <numerusform>%n vue</numerusform><numerusform>%n vues</numerusform></translation>
     </message>
     <message>
         <source>Finer near the best</source>
@@ -4316,9 +4787,9 @@ Un point cliqué sur une coupe&#xa0;: un clic tourne les deux vues vers la struc
     </message>
     <message>
         <source>Where the second view may be, always 60° to 120° from the first.
-To its right: the half sphere c2·a ≥ 0 around the first view&apos;s right axis a. All around: the band |c1·c2| ≤ sin δ</source>
+To its right: the half sphere c2·a ≥ 0 around the first view's right axis a. All around: the band |c1·c2| ≤ sin δ</source>
         <translation>Où la seconde vue peut être, toujours à 60°–120° de la première.
-À sa droite&#xa0;: la demi-sphère c2·a ≥ 0 autour de l&apos;axe droit a de la première vue. Tout autour&#xa0;: la bande |c1·c2| ≤ sin δ</translation>
+À sa droite : la demi-sphère c2·a ≥ 0 autour de l'axe droit a de la première vue. Tout autour : la bande |c1·c2| ≤ sin δ</translation>
     </message>
     <message>
         <source>°</source>
@@ -4326,17 +4797,17 @@ To its right: the half sphere c2·a ≥ 0 around the first view&apos;s right axi
     </message>
     <message>
         <source>δ: how far the second view may leave the right angle to the first</source>
-        <translation>δ&#xa0;: de combien la seconde vue peut s&apos;écarter de l&apos;angle droit avec la première</translation>
+        <translation>δ : de combien la seconde vue peut s'écarter de l'angle droit avec la première</translation>
     </message>
     <message>
-        <source>Choose the two views that together see most of the focus&apos;s surface.
+        <source>Choose the two views that together see most of the focus's surface.
 Off: first the best view, then the best one beside it</source>
         <translation>Choisit les deux vues qui voient ensemble le plus de la surface de la cible.
-Sinon&#xa0;: d&apos;abord la meilleure vue, puis la meilleure à côté</translation>
+Sinon : d'abord la meilleure vue, puis la meilleure à côté</translation>
     </message>
     <message>
         <source>What two views are chosen by: w · share of the surface seen + (1 − w) · mean quality of the views</source>
-        <translation>Critère du choix de deux vues&#xa0;: w · part de surface vue + (1 − w) · qualité moyenne des vues</translation>
+        <translation>Critère du choix de deux vues : w · part de surface vue + (1 − w) · qualité moyenne des vues</translation>
     </message>
     <message>
         <source>When the first view is turned, the second goes to the best view beside it</source>
@@ -4394,12 +4865,12 @@ Sinon&#xa0;: d&apos;abord la meilleure vue, puis la meilleure à côté</transla
         <translation>Exporter le préréglage</translation>
     </message>
     <message>
-        <source>There is a preset &quot;%1&quot;. Replace it?</source>
-        <translation>Il y a un préréglage «&#xa0;%1 ». Le remplacer&#xa0;?</translation>
+        <source>There is a preset "%1". Replace it?</source>
+        <translation>Il y a un préréglage « %1 ». Le remplacer ?</translation>
     </message>
     <message>
-        <source>Delete the preset &quot;%1&quot;?</source>
-        <translation>Supprimer le préréglage «&#xa0;%1&#xa0;»&#xa0;?</translation>
+        <source>Delete the preset "%1"?</source>
+        <translation>Supprimer le préréglage « %1 » ?</translation>
     </message>
     <message>
         <source>Open a transfer function</source>
@@ -4415,7 +4886,7 @@ Sinon&#xa0;: d&apos;abord la meilleure vue, puis la meilleure à côté</transla
     </message>
     <message>
         <source>Transfer functions, and your own presets of the whole look</source>
-        <translation>Fonctions de transfert, et vos préréglages de toute l&apos;apparence</translation>
+        <translation>Fonctions de transfert, et vos préréglages de toute l'apparence</translation>
     </message>
     <message>
         <source>Keep, import, export, rename and delete presets</source>
@@ -4423,7 +4894,7 @@ Sinon&#xa0;: d&apos;abord la meilleure vue, puis la meilleure à côté</transla
     </message>
     <message>
         <source>From a file…</source>
-        <translation>D&apos;un fichier…</translation>
+        <translation>D'un fichier…</translation>
     </message>
     <message>
         <source>Preset</source>
@@ -4458,19 +4929,19 @@ Sinon&#xa0;: d&apos;abord la meilleure vue, puis la meilleure à côté</transla
     <name>fenestra::viewer::RegionGrower</name>
     <message>
         <source>No region grows from there; click elsewhere.</source>
-        <translation>Aucune région ne croît de là&#xa0;; cliquez ailleurs.</translation>
+        <translation>Aucune région ne croît de là ; cliquez ailleurs.</translation>
     </message>
     <message>
         <source>Nothing would be left of the region; it stays as it was.</source>
-        <translation>Il ne resterait rien de la région&#xa0;; elle reste comme elle était.</translation>
+        <translation>Il ne resterait rien de la région ; elle reste comme elle était.</translation>
     </message>
     <message>
         <source>That is air, which fills more than half of the volume; click a structure.</source>
-        <translation>C&apos;est de l&apos;air, qui remplit plus de la moitié du volume&#xa0;; cliquez une structure.</translation>
+        <translation>C'est de l'air, qui remplit plus de la moitié du volume ; cliquez une structure.</translation>
     </message>
     <message>
         <source>No border holds the region there: it would fill more than half of the volume. Drag a ball around the structure (Shift+drag), or click elsewhere.</source>
-        <translation>Aucune limite n&apos;y retient la région&#xa0;: elle remplirait plus de la moitié du volume. Tracez une boule autour de la structure (Maj+glisser), ou cliquez ailleurs.</translation>
+        <translation>Aucune limite n'y retient la région : elle remplirait plus de la moitié du volume. Tracez une boule autour de la structure (Maj+glisser), ou cliquez ailleurs.</translation>
     </message>
 </context>
 <context>
@@ -4481,7 +4952,7 @@ Sinon&#xa0;: d&apos;abord la meilleure vue, puis la meilleure à côté</transla
     </message>
     <message>
         <source>Colour of the label</source>
-        <translation>Couleur de l&apos;étiquette</translation>
+        <translation>Couleur de l'étiquette</translation>
     </message>
     <message>
         <source>Keep</source>
@@ -4489,15 +4960,15 @@ Sinon&#xa0;: d&apos;abord la meilleure vue, puis la meilleure à côté</transla
     </message>
     <message>
         <source>Shift+click adds to the region, Ctrl+click takes away. Shift+drag draws a ball around a structure, which its region does not leave.</source>
-        <translation>Maj+clic ajoute à la région, Ctrl+clic en retire. Maj+glisser trace une boule autour d&apos;une structure, que sa région ne quitte pas.</translation>
+        <translation>Maj+clic ajoute à la région, Ctrl+clic en retire. Maj+glisser trace une boule autour d'une structure, que sa région ne quitte pas.</translation>
     </message>
     <message>
         <source>How far values may lie from those at the click (Alt+wheel over a picture, keys , and .)</source>
-        <translation>De combien les valeurs peuvent s&apos;écarter de celles du clic (Alt+molette sur une image, touches , et .)</translation>
+        <translation>De combien les valeurs peuvent s'écarter de celles du clic (Alt+molette sur une image, touches , et .)</translation>
     </message>
     <message>
         <source>Tolerance: how far values may lie below those at the click</source>
-        <translation>Tolérance&#xa0;: de combien les valeurs peuvent être sous celles du clic</translation>
+        <translation>Tolérance : de combien les valeurs peuvent être sous celles du clic</translation>
     </message>
     <message>
         <source>Auto</source>
@@ -4505,7 +4976,7 @@ Sinon&#xa0;: d&apos;abord la meilleure vue, puis la meilleure à côté</transla
     </message>
     <message>
         <source>The tolerance is chosen from the plateaus</source>
-        <translation>La tolérance est choisie d&apos;après les plateaux</translation>
+        <translation>La tolérance est choisie d'après les plateaux</translation>
     </message>
     <message>
         <source> mm</source>
@@ -4529,7 +5000,7 @@ Sinon&#xa0;: d&apos;abord la meilleure vue, puis la meilleure à côté</transla
     </message>
     <message>
         <source>Name of a label</source>
-        <translation>Nom d&apos;une étiquette</translation>
+        <translation>Nom d'une étiquette</translation>
     </message>
     <message>
         <source>Keep the region as a label of this study</source>
@@ -4537,19 +5008,19 @@ Sinon&#xa0;: d&apos;abord la meilleure vue, puis la meilleure à côté</transla
     </message>
     <message>
         <source>Region: growing…</source>
-        <translation>Région&#xa0;: en croissance…</translation>
+        <translation>Région : en croissance…</translation>
     </message>
     <message>
         <source>That is %1 % of the body: the 3-D views do not open to it by themselves.</source>
-        <translation>C&apos;est %1 % du corps&#xa0;: les vues 3D ne s&apos;ouvrent pas d&apos;elles-mêmes vers elle.</translation>
+        <translation>C'est %1 % du corps : les vues 3D ne s'ouvrent pas d'elles-mêmes vers elle.</translation>
     </message>
     <message>
         <source>Region: %1</source>
-        <translation>Région&#xa0;: %1</translation>
+        <translation>Région : %1</translation>
     </message>
     <message>
         <source>Region: %1 so far…</source>
-        <translation>Région&#xa0;: %1 jusqu&apos;ici…</translation>
+        <translation>Région : %1 jusqu'ici…</translation>
     </message>
 </context>
 <context>
@@ -4635,18 +5106,18 @@ Sinon&#xa0;: d&apos;abord la meilleure vue, puis la meilleure à côté</transla
     </message>
     <message>
         <source>These changes since the last save would be lost. Save them?</source>
-        <translation>Ces modifications depuis le dernier enregistrement seraient perdues. Les enregistrer&#xa0;?</translation>
+        <translation>Ces modifications depuis le dernier enregistrement seraient perdues. Les enregistrer ?</translation>
     </message>
     <message>
         <source>Where is the data now?</source>
-        <translation>Où sont les données maintenant&#xa0;?</translation>
+        <translation>Où sont les données maintenant ?</translation>
     </message>
     <message>
-        <source>The session&apos;s label map is needed.</source>
-        <translation>La carte d&apos;étiquettes de la session est nécessaire.</translation>
+        <source>The session's label map is needed.</source>
+        <translation>La carte d'étiquettes de la session est nécessaire.</translation>
     </message>
     <message>
-        <source>The session&apos;s volume is needed.</source>
+        <source>The session's volume is needed.</source>
         <translation>Le volume de la session est nécessaire.</translation>
     </message>
     <message>
@@ -4662,20 +5133,20 @@ Sinon&#xa0;: d&apos;abord la meilleure vue, puis la meilleure à côté</transla
         <translation>Les données</translation>
     </message>
     <message>
-        <source>The data&apos;s folder</source>
+        <source>The data's folder</source>
         <translation>Le dossier des données</translation>
     </message>
     <message>
         <source>%1 %2. Say it here:</source>
-        <translation>%1 %2. Indiquez-la ici&#xa0;:</translation>
+        <translation>%1 %2. Indiquez-la ici :</translation>
     </message>
     <message>
         <source>Fenestra ended before the session was saved. A copy from %1 can be restored.</source>
-        <translation>Fenestra s&apos;est arrêté avant l&apos;enregistrement de la session. Une copie du %1 peut être restaurée.</translation>
+        <translation>Fenestra s'est arrêté avant l'enregistrement de la session. Une copie du %1 peut être restaurée.</translation>
     </message>
     <message>
         <source>Fenestra ended before the work on %1 was saved. A copy from %2 can be restored.</source>
-        <translation>Fenestra s&apos;est arrêté avant l&apos;enregistrement du travail sur %1. Une copie du %2 peut être restaurée.</translation>
+        <translation>Fenestra s'est arrêté avant l'enregistrement du travail sur %1. Une copie du %2 peut être restaurée.</translation>
     </message>
     <message>
         <source>Restore</source>
@@ -4692,9 +5163,7 @@ Sinon&#xa0;: d&apos;abord la meilleure vue, puis la meilleure à côté</transla
     <message numerus="yes">
         <source>%n more</source>
         <translation>
-            <numerusform>%n autre</numerusform>
-            <numerusform>%n autres</numerusform>
-        </translation>
+            <numerusform>%n autre</numerusform><numerusform>%n autres</numerusform></translation>
     </message>
     <message>
         <source>Save the session</source>
@@ -4706,7 +5175,7 @@ Sinon&#xa0;: d&apos;abord la meilleure vue, puis la meilleure à côté</transla
     </message>
     <message>
         <source>The labels that you kept are in no file yet, and reading the data again would drop them. Save the session first.</source>
-        <translation>Les étiquettes conservées ne sont encore dans aucun fichier, et relire les données les perdrait. Enregistrez d&apos;abord la session.</translation>
+        <translation>Les étiquettes conservées ne sont encore dans aucun fichier, et relire les données les perdrait. Enregistrez d'abord la session.</translation>
     </message>
     <message>
         <source>The restored work</source>
@@ -4750,6 +5219,34 @@ Sinon&#xa0;: d&apos;abord la meilleure vue, puis la meilleure à côté</transla
         <source>inverted</source>
         <translation>inversé</translation>
     </message>
+    <message>
+        <source>Oblique, %1° from %2</source>
+        <translation>Oblique, %1° de %2</translation>
+    </message>
+    <message>
+        <source>Faces C1, %1° from %2</source>
+        <translation>Face à C1, %1° de %2</translation>
+    </message>
+    <message>
+        <source>Faces C2, %1° from %2</source>
+        <translation>Face à C2, %1° de %2</translation>
+    </message>
+    <message>
+        <source>Neurological</source>
+        <translation>Neurologique</translation>
+    </message>
+    <message>
+        <source>flipped</source>
+        <translation>retourné</translation>
+    </message>
+    <message>
+        <source>turned by %1°</source>
+        <translation>tourné de %1°</translation>
+    </message>
+    <message>
+        <source>true size</source>
+        <translation>taille réelle</translation>
+    </message>
 </context>
 <context>
     <name>fenestra::viewer::SpacingDialog</name>
@@ -4759,11 +5256,11 @@ Sinon&#xa0;: d&apos;abord la meilleure vue, puis la meilleure à côté</transla
     </message>
     <message>
         <source>&amp;Across a row</source>
-        <translation>&amp;Le long d&apos;une ligne</translation>
+        <translation>&amp;Le long d'une ligne</translation>
     </message>
     <message>
         <source>&amp;Down a column</source>
-        <translation>Le long &amp;d&apos;une colonne</translation>
+        <translation>Le long &amp;d'une colonne</translation>
     </message>
     <message>
         <source>From &amp;slice to slice</source>
@@ -4782,22 +5279,22 @@ Sinon&#xa0;: d&apos;abord la meilleure vue, puis la meilleure à côté</transla
     <name>fenestra::viewer::SphereMap</name>
     <message>
         <source>How good each viewpoint is, from dark to bright; click to look from there</source>
-        <translation>Qualité de chaque point de vue, du sombre au clair&#xa0;; cliquer pour regarder de là</translation>
+        <translation>Qualité de chaque point de vue, du sombre au clair ; cliquer pour regarder de là</translation>
     </message>
 </context>
 <context>
     <name>fenestra::viewer::StatusBar</name>
     <message>
         <source>Software OpenGL: smaller pictures while moving</source>
-        <translation>OpenGL logiciel&#xa0;: images plus petites en mouvement</translation>
+        <translation>OpenGL logiciel : images plus petites en mouvement</translation>
     </message>
     <message>
         <source>No OpenGL: slices only</source>
-        <translation>Pas d&apos;OpenGL&#xa0;: coupes seules</translation>
+        <translation>Pas d'OpenGL : coupes seules</translation>
     </message>
     <message>
         <source>Time until the last picture was on screen, and its sampling</source>
-        <translation>Temps jusqu&apos;à l&apos;affichage de la dernière image, et son échantillonnage</translation>
+        <translation>Temps jusqu'à l'affichage de la dernière image, et son échantillonnage</translation>
     </message>
     <message>
         <source>Radiological convention</source>
@@ -4814,6 +5311,10 @@ Sinon&#xa0;: d&apos;abord la meilleure vue, puis la meilleure à côté</transla
     <message>
         <source>, %1 % size</source>
         <translation>, %1 % de la taille</translation>
+    </message>
+    <message>
+        <source>Neurological convention</source>
+        <translation>Convention neurologique</translation>
     </message>
 </context>
 <context>
@@ -4840,7 +5341,7 @@ Sinon&#xa0;: d&apos;abord la meilleure vue, puis la meilleure à côté</transla
     </message>
     <message>
         <source>Adds the strokes of a file</source>
-        <translation>Ajoute les traits d&apos;un fichier</translation>
+        <translation>Ajoute les traits d'un fichier</translation>
     </message>
     <message>
         <source>Clear strokes</source>
@@ -4883,7 +5384,7 @@ Sinon&#xa0;: d&apos;abord la meilleure vue, puis la meilleure à côté</transla
     </message>
     <message>
         <source>to the surface</source>
-        <translation>jusqu&apos;à la surface</translation>
+        <translation>jusqu'à la surface</translation>
     </message>
     <message>
         <source>%1 mm deep</source>
@@ -4911,16 +5412,12 @@ Sinon&#xa0;: d&apos;abord la meilleure vue, puis la meilleure à côté</transla
     <message numerus="yes">
         <source>There are %n time points here; this is number %1.</source>
         <translation>
-            <numerusform>Il y a %n instant ici&#xa0;; voici le numéro %1.</numerusform>
-            <numerusform>Il y a %n instants ici&#xa0;; voici le numéro %1.</numerusform>
-        </translation>
+            <numerusform>Il y a %n instant ici ; voici le numéro %1.</numerusform><numerusform>Il y a %n instants ici ; voici le numéro %1.</numerusform></translation>
     </message>
     <message numerus="yes">
         <source>There are %n series here; open is %1.</source>
         <translation>
-            <numerusform>Il y a %n série ici&#xa0;; %1 est ouverte.</numerusform>
-            <numerusform>Il y a %n séries ici&#xa0;; %1 est ouverte.</numerusform>
-        </translation>
+            <numerusform>Il y a %n série ici ; %1 est ouverte.</numerusform><numerusform>Il y a %n séries ici ; %1 est ouverte.</numerusform></translation>
     </message>
     <message>
         <source>Choose…</source>
@@ -4928,7 +5425,7 @@ Sinon&#xa0;: d&apos;abord la meilleure vue, puis la meilleure à côté</transla
     </message>
     <message>
         <source>A segmentation of this series lies beside it: %1.</source>
-        <translation>Une segmentation de cette série se trouve à côté&#xa0;: %1.</translation>
+        <translation>Une segmentation de cette série se trouve à côté : %1.</translation>
     </message>
     <message>
         <source>Open</source>
@@ -4937,9 +5434,7 @@ Sinon&#xa0;: d&apos;abord la meilleure vue, puis la meilleure à côté</transla
     <message numerus="yes">
         <source>%n segmentations of this series lie beside it.</source>
         <translation>
-            <numerusform>%n segmentation de cette série se trouve à côté.</numerusform>
-            <numerusform>%n segmentations de cette série se trouvent à côté.</numerusform>
-        </translation>
+            <numerusform>%n segmentation de cette série se trouve à côté.</numerusform><numerusform>%n segmentations de cette série se trouvent à côté.</numerusform></translation>
     </message>
 </context>
 <context>
@@ -4949,8 +5444,8 @@ Sinon&#xa0;: d&apos;abord la meilleure vue, puis la meilleure à côté</transla
         <translation>%L1 ml</translation>
     </message>
     <message>
-        <source>The region&apos;s volume against its tolerance, both logarithmic. A cliff is a leak; green marks where the region hardly changes</source>
-        <translation>Volume de la région selon sa tolérance, tous deux logarithmiques. Une falaise est une fuite&#xa0;; le vert marque où la région change à peine</translation>
+        <source>The region's volume against its tolerance, both logarithmic. A cliff is a leak; green marks where the region hardly changes</source>
+        <translation>Volume de la région selon sa tolérance, tous deux logarithmiques. Une falaise est une fuite ; le vert marque où la région change à peine</translation>
     </message>
 </context>
 <context>
@@ -4965,7 +5460,7 @@ Sinon&#xa0;: d&apos;abord la meilleure vue, puis la meilleure à côté</transla
     </message>
     <message>
         <source>Above are two 3-D views, C1 and C2; below are three slices. The torso opens with several structures in focus: what hides them is cut away.</source>
-        <translation>En haut, deux vues 3D, C1 et C2&#xa0;; en bas, trois coupes. Le torse s&apos;ouvre avec plusieurs structures ciblées&#xa0;: ce qui les cache est enlevé.</translation>
+        <translation>En haut, deux vues 3D, C1 et C2 ; en bas, trois coupes. Le torse s'ouvre avec plusieurs structures ciblées : ce qui les cache est enlevé.</translation>
     </message>
     <message>
         <source>Choose a structure</source>
@@ -4981,15 +5476,15 @@ Sinon&#xa0;: d&apos;abord la meilleure vue, puis la meilleure à côté</transla
     </message>
     <message>
         <source>Drag with the left button in a 3-D view to turn it. The opening follows the kidney; C2 follows C1.</source>
-        <translation>Glissez avec le bouton gauche dans une vue 3D pour la tourner. L&apos;ouverture suit le rein&#xa0;; C2 suit C1.</translation>
+        <translation>Glissez avec le bouton gauche dans une vue 3D pour la tourner. L'ouverture suit le rein ; C2 suit C1.</translation>
     </message>
     <message>
         <source>Widen the opening</source>
-        <translation>Élargir l&apos;ouverture</translation>
+        <translation>Élargir l'ouverture</translation>
     </message>
     <message>
         <source>The slider Opening in the panel Cutaway sets how far the opening reaches beyond the focus.</source>
-        <translation>Le curseur Ouverture du panneau Écorché règle de combien l&apos;ouverture dépasse la cible.</translation>
+        <translation>Le curseur Ouverture du panneau Écorché règle de combien l'ouverture dépasse la cible.</translation>
     </message>
     <message>
         <source>Bring tissue back</source>
@@ -4997,7 +5492,7 @@ Sinon&#xa0;: d&apos;abord la meilleure vue, puis la meilleure à côté</transla
     </message>
     <message>
         <source>The brush (P) paints back what the opening removed: here, tissue above the kidney. Ctrl+Z takes a stroke back.</source>
-        <translation>Le pinceau (P) ramène ce que l&apos;ouverture a enlevé&#xa0;: ici, du tissu au-dessus du rein. Ctrl+Z annule un trait.</translation>
+        <translation>Le pinceau (P) ramène ce que l'ouverture a enlevé : ici, du tissu au-dessus du rein. Ctrl+Z annule un trait.</translation>
     </message>
     <message>
         <source>Keep it</source>
@@ -5005,11 +5500,11 @@ Sinon&#xa0;: d&apos;abord la meilleure vue, puis la meilleure à côté</transla
     </message>
     <message>
         <source>Ctrl+S saves a session with all that you did; Ctrl+E saves a picture, for a slide. F1 opens the user guide.</source>
-        <translation>Ctrl+S enregistre une session avec tout ce que vous avez fait&#xa0;; Ctrl+E enregistre une image, pour une diapositive. F1 ouvre le guide de l&apos;utilisateur.</translation>
+        <translation>Ctrl+S enregistre une session avec tout ce que vous avez fait ; Ctrl+E enregistre une image, pour une diapositive. F1 ouvre le guide de l'utilisateur.</translation>
     </message>
     <message>
         <source>%1 of %2: %3</source>
-        <translation>%1 sur %2&#xa0;: %3</translation>
+        <translation>%1 sur %2 : %3</translation>
     </message>
     <message>
         <source>Next</source>
@@ -5048,7 +5543,7 @@ Sinon&#xa0;: d&apos;abord la meilleure vue, puis la meilleure à côté</transla
     </message>
     <message>
         <source>Drag points, or the edges, top and inside of a trapezoid. Double-click adds a point; Delete removes it; the wheel enlarges. The key ? lists all.</source>
-        <translation>Glissez des points, ou les bords, le haut et l&apos;intérieur d&apos;un trapèze. Un double clic ajoute un point&#xa0;; Suppr l&apos;enlève&#xa0;; la molette agrandit. La touche&#xa0;? liste tout.</translation>
+        <translation>Glissez des points, ou les bords, le haut et l'intérieur d'un trapèze. Un double clic ajoute un point ; Suppr l'enlève ; la molette agrandit. La touche ? liste tout.</translation>
     </message>
     <message>
         <source>Value of the selected point</source>
@@ -5064,19 +5559,19 @@ Sinon&#xa0;: d&apos;abord la meilleure vue, puis la meilleure à côté</transla
     </message>
     <message>
         <source>Shows this part of the focus by a function of the values, as the context is shown, in place of one colour and opacity</source>
-        <translation>Montre cette partie de la cible par une fonction des valeurs, comme le contexte, au lieu d&apos;une couleur et d&apos;une opacité</translation>
+        <translation>Montre cette partie de la cible par une fonction des valeurs, comme le contexte, au lieu d'une couleur et d'une opacité</translation>
     </message>
     <message>
         <source>From a preset</source>
-        <translation>D&apos;un préréglage</translation>
+        <translation>D'un préréglage</translation>
     </message>
     <message>
         <source>Takes the function of a preset for this part of the focus</source>
-        <translation>Prend la fonction d&apos;un préréglage pour cette partie de la cible</translation>
+        <translation>Prend la fonction d'un préréglage pour cette partie de la cible</translation>
     </message>
     <message>
         <source>From a file…</source>
-        <translation>D&apos;un fichier…</translation>
+        <translation>D'un fichier…</translation>
     </message>
 </context>
 <context>
@@ -5087,7 +5582,7 @@ Sinon&#xa0;: d&apos;abord la meilleure vue, puis la meilleure à côté</transla
     </message>
     <message>
         <source>Transfer function over the histogram</source>
-        <translation>Fonction de transfert sur l&apos;histogramme</translation>
+        <translation>Fonction de transfert sur l'histogramme</translation>
     </message>
     <message>
         <source>Colour…</source>
@@ -5122,23 +5617,23 @@ Sinon&#xa0;: d&apos;abord la meilleure vue, puis la meilleure à côté</transla
     <name>fenestra::viewer::Verification</name>
     <message>
         <source>Computed again in double precision: %1 pixels, drawn at random (seed %2). Beyond that: %3. Greatest difference: %4/255.</source>
-        <translation>Recalculé en double précision&#xa0;: %1 pixels tirés au hasard (graine %2). Au-delà&#xa0;: %3. Plus grand écart&#xa0;: %4/255.</translation>
+        <translation>Recalculé en double précision : %1 pixels tirés au hasard (graine %2). Au-delà : %3. Plus grand écart : %4/255.</translation>
     </message>
     <message>
         <source>%1 % of the pixels are within %2/255 of the exact picture: all were computed again.</source>
-        <translation>%1 % des pixels sont à moins de %2/255 de l&apos;image exacte&#xa0;: tous ont été recalculés.</translation>
+        <translation>%1 % des pixels sont à moins de %2/255 de l'image exacte : tous ont été recalculés.</translation>
     </message>
     <message>
         <source>At least %1 % of the pixels are within %2/255 of the exact picture, with %3 % confidence.</source>
-        <translation>Au moins %1 % des pixels sont à moins de %2/255 de l&apos;image exacte, avec %3 % de confiance.</translation>
+        <translation>Au moins %1 % des pixels sont à moins de %2/255 de l'image exacte, avec %3 % de confiance.</translation>
     </message>
     <message>
         <source>No 3-D view is on screen that could be verified.</source>
-        <translation>Aucune vue 3D à l&apos;écran ne peut être vérifiée.</translation>
+        <translation>Aucune vue 3D à l'écran ne peut être vérifiée.</translation>
     </message>
     <message>
         <source>The picture is verified once it is drawn at full quality.</source>
-        <translation>L&apos;image est vérifiée dès qu&apos;elle est dessinée en pleine qualité.</translation>
+        <translation>L'image est vérifiée dès qu'elle est dessinée en pleine qualité.</translation>
     </message>
     <message>
         <source>Verify this picture</source>
@@ -5146,11 +5641,11 @@ Sinon&#xa0;: d&apos;abord la meilleure vue, puis la meilleure à côté</transla
     </message>
     <message>
         <source>&amp;Save the picture…</source>
-        <translation>&amp;Enregistrer l&apos;image…</translation>
+        <translation>&amp;Enregistrer l'image…</translation>
     </message>
     <message>
         <source>Save the picture with its certificate</source>
-        <translation>Enregistrer l&apos;image avec son certificat</translation>
+        <translation>Enregistrer l'image avec son certificat</translation>
     </message>
     <message>
         <source>PNG</source>
@@ -5179,6 +5674,18 @@ The slices below work without it.</source>
 
 Les coupes ci-dessous fonctionnent sans elles.</translation>
     </message>
+    <message>
+        <source>3-D views are not available here.
+
+%1
+
+The slices work without it.</source>
+        <translation>Les vues 3D ne sont pas disponibles ici.
+
+%1
+
+Les coupes fonctionnent sans elles.</translation>
+    </message>
 </context>
 <context>
     <name>fenestra::viewer::ViewCommands</name>
@@ -5196,7 +5703,7 @@ Les coupes ci-dessous fonctionnent sans elles.</translation>
     </message>
     <message>
         <source>Freeze the opening</source>
-        <translation>Figer l&apos;ouverture</translation>
+        <translation>Figer l'ouverture</translation>
     </message>
 </context>
 <context>
@@ -5211,15 +5718,15 @@ Les coupes ci-dessous fonctionnent sans elles.</translation>
     </message>
     <message>
         <source>Editing the label; the one before still shows</source>
-        <translation>Modification de l&apos;étiquette&#xa0;; la précédente reste affichée</translation>
+        <translation>Modification de l'étiquette ; la précédente reste affichée</translation>
     </message>
     <message>
         <source>Not yet as asked for: the picture is being prepared</source>
-        <translation>Pas encore ce qui est demandé&#xa0;: l&apos;image est en préparation</translation>
+        <translation>Pas encore ce qui est demandé : l'image est en préparation</translation>
     </message>
     <message>
         <source>Waits for the picture</source>
-        <translation>Attend l&apos;image</translation>
+        <translation>Attend l'image</translation>
     </message>
     <message>
         <source>C%1</source>
@@ -5246,18 +5753,18 @@ Les coupes ci-dessous fonctionnent sans elles.</translation>
     </message>
     <message>
         <source>Preparing the picture, %1 s</source>
-        <translation>Préparation de l&apos;image, %1 s</translation>
+        <translation>Préparation de l'image, %1 s</translation>
     </message>
 </context>
 <context>
     <name>fenestra::viewer::WelcomePage</name>
     <message>
         <source>3-D views are not available here; slices work. %1</source>
-        <translation>Les vues 3D ne sont pas disponibles ici&#xa0;; les coupes fonctionnent. %1</translation>
+        <translation>Les vues 3D ne sont pas disponibles ici ; les coupes fonctionnent. %1</translation>
     </message>
     <message>
         <source>No graphics card was found: the processor draws the 3-D views, in smaller pictures while something moves. (%1)</source>
-        <translation>Aucune carte graphique trouvée&#xa0;: le processeur dessine les vues 3D, en images plus petites pendant les mouvements. (%1)</translation>
+        <translation>Aucune carte graphique trouvée : le processeur dessine les vues 3D, en images plus petites pendant les mouvements. (%1)</translation>
     </message>
     <message>
         <source>The graphics card draws the 3-D views. (%1)</source>
@@ -5265,7 +5772,7 @@ Les coupes ci-dessous fonctionnent sans elles.</translation>
     </message>
     <message>
         <source>Choose a structure in a CT or MR, and the tissue in front of it opens. &lt;b&gt;Not for diagnostic use.&lt;/b&gt;</source>
-        <translation>Choisissez une structure dans une TDM ou une IRM, et le tissu devant elle s&apos;ouvre. &lt;b&gt;Ne pas utiliser pour le diagnostic.&lt;/b&gt;</translation>
+        <translation>Choisissez une structure dans une TDM ou une IRM, et le tissu devant elle s'ouvre. &lt;b&gt;Ne pas utiliser pour le diagnostic.&lt;/b&gt;</translation>
     </message>
     <message>
         <source>Opened last</source>
@@ -5273,15 +5780,15 @@ Les coupes ci-dessous fonctionnent sans elles.</translation>
     </message>
     <message>
         <source>User guide (F1)</source>
-        <translation>Guide de l&apos;utilisateur (F1)</translation>
+        <translation>Guide de l'utilisateur (F1)</translation>
     </message>
     <message>
         <source>Built-in phantoms</source>
         <translation>Fantômes intégrés</translation>
     </message>
     <message>
-        <source>Bodies made of simple shapes, with every structure labelled. Nobody&apos;s data: try everything on them.</source>
-        <translation>Des corps de formes simples, dont chaque structure est étiquetée. Les données de personne&#xa0;: essayez tout dessus.</translation>
+        <source>Bodies made of simple shapes, with every structure labelled. Nobody's data: try everything on them.</source>
+        <translation>Des corps de formes simples, dont chaque structure est étiquetée. Les données de personne : essayez tout dessus.</translation>
     </message>
     <message>
         <source>Guided tour</source>
@@ -5297,7 +5804,7 @@ Les coupes ci-dessous fonctionnent sans elles.</translation>
     </message>
     <message>
         <source>Drop a folder of DICOM files, or a NIfTI, NRRD or MetaImage file, anywhere in this window.</source>
-        <translation>Déposez un dossier de fichiers DICOM, ou un fichier NIfTI, NRRD ou MetaImage, n&apos;importe où dans cette fenêtre.</translation>
+        <translation>Déposez un dossier de fichiers DICOM, ou un fichier NIfTI, NRRD ou MetaImage, n'importe où dans cette fenêtre.</translation>
     </message>
     <message>
         <source>Start the tour</source>
@@ -5332,7 +5839,7 @@ Les coupes ci-dessous fonctionnent sans elles.</translation>
     </message>
     <message>
         <source>&amp;Invert: low values bright</source>
-        <translation>&amp;Inverser&#xa0;: valeurs basses claires</translation>
+        <translation>&amp;Inverser : valeurs basses claires</translation>
     </message>
     <message>
         <source>&amp;Width</source>
@@ -5341,6 +5848,263 @@ Les coupes ci-dessous fonctionnent sans elles.</translation>
     <message>
         <source>&amp;Level</source>
         <translation>&amp;Niveau</translation>
+    </message>
+</context>
+<context>
+    <name>PlaneMenu</name>
+    <message>
+        <source>Slab of the %1 slice</source>
+        <translation>Bloc de la coupe : %1</translation>
+    </message>
+    <message>
+        <source>Thickness in mm, half of it to each side; 0 is the slice alone:</source>
+        <translation>Épaisseur en mm, la moitié de chaque côté ; 0 est la coupe seule :</translation>
+    </message>
+    <message>
+        <source>Off: the slice alone</source>
+        <translation>Sans : la coupe seule</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%L1 mm</translation>
+    </message>
+    <message>
+        <source>Other: %1 mm…</source>
+        <translation>Autre : %1 mm…</translation>
+    </message>
+    <message>
+        <source>Other…</source>
+        <translation>Autre…</translation>
+    </message>
+    <message>
+        <source>Maximum (MIP)</source>
+        <translation>Maximum (MIP)</translation>
+    </message>
+    <message>
+        <source>Minimum (MinIP)</source>
+        <translation>Minimum (MinIP)</translation>
+    </message>
+    <message>
+        <source>Mean</source>
+        <translation>Moyenne</translation>
+    </message>
+    <message>
+        <source>All slices as this one</source>
+        <translation>Toutes les coupes comme celle-ci</translation>
+    </message>
+    <message>
+        <source>Slice faces C1</source>
+        <translation>Coupe face à C1</translation>
+    </message>
+    <message>
+        <source>Slice faces C2</source>
+        <translation>Coupe face à C2</translation>
+    </message>
+    <message>
+        <source>Slab</source>
+        <translation>Bloc</translation>
+    </message>
+    <message>
+        <source>Reset this slice's plane</source>
+        <translation>Réinitialiser le plan de cette coupe</translation>
+    </message>
+    <message>
+        <source>Reset all planes</source>
+        <translation>Réinitialiser tous les plans</translation>
+    </message>
+</context>
+<context>
+    <name>PlaneTool</name>
+    <message>
+        <source>%1°</source>
+        <translation>%L1°</translation>
+    </message>
+</context>
+<context>
+    <name>Slab</name>
+    <message>
+        <source>MIP</source>
+        <translation>MIP</translation>
+    </message>
+    <message>
+        <source>MinIP</source>
+        <translation>MinIP</translation>
+    </message>
+    <message>
+        <source>Mean</source>
+        <translation>Moyenne</translation>
+    </message>
+    <message>
+        <source>%1 %2 mm</source>
+        <translation>%1 %L2 mm</translation>
+    </message>
+</context>
+<context>
+    <name>ViewArea</name>
+    <message>
+        <source>&amp;Five views</source>
+        <translation>&amp;Cinq vues</translation>
+    </message>
+    <message>
+        <source>C&amp;1 and C2</source>
+        <translation>C&amp;1 et C2</translation>
+    </message>
+    <message>
+        <source>&amp;3-D large, three slices</source>
+        <translation>&amp;3D en grand, trois coupes</translation>
+    </message>
+    <message>
+        <source>&amp;Slices alone</source>
+        <translation>Coupes &amp;seules</translation>
+    </message>
+    <message>
+        <source>&amp;Axial large</source>
+        <translation>&amp;Axial en grand</translation>
+    </message>
+    <message>
+        <source>F&amp;our: C1 and slices</source>
+        <translation>&amp;Quatre : C1 et coupes</translation>
+    </message>
+    <message>
+        <source>C1 &amp;beside axial</source>
+        <translation>C1 à côté &amp;d'axial</translation>
+    </message>
+</context>
+<context>
+    <name>fenestra::viewer::DockFolding</name>
+    <message>
+        <source>Fold %1</source>
+        <translation>Replier %1</translation>
+    </message>
+    <message>
+        <source>Folds this panel to its title, so that those above have more room</source>
+        <translation>Replie ce panneau sur son titre, pour laisser plus de place à ceux du dessus</translation>
+    </message>
+</context>
+<context>
+    <name>fenestra::viewer::KeyBindings</name>
+    <message>
+        <source>It is not JSON, from character %1 on: %2.</source>
+        <translation>Ce n'est pas du JSON, à partir du caractère %1 : %2.</translation>
+    </message>
+    <message>
+        <source>It does not hold Fenestra's keys: choose a file that Export in this dialog wrote.</source>
+        <translation>Il ne contient pas les touches de Fenestra : choisissez un fichier écrit par Exporter dans ce dialogue.</translation>
+    </message>
+    <message>
+        <source>It was written by a newer version of Fenestra.</source>
+        <translation>Il a été écrit par une version plus récente de Fenestra.</translation>
+    </message>
+    <message>
+        <source>"%1", of "%2", is no key.</source>
+        <translation>« %1 », de « %2 », n'est pas une touche.</translation>
+    </message>
+    <message>
+        <source>%1, of "%2", is a key of the views.</source>
+        <translation>%1, de « %2 », est une touche des vues.</translation>
+    </message>
+    <message>
+        <source>%1 is the key of both "%2" and "%3".</source>
+        <translation>%1 est la touche de « %2 » et de « %3 ».</translation>
+    </message>
+</context>
+<context>
+    <name>fenestra::viewer::KeysDialog</name>
+    <message>
+        <source>Change keys</source>
+        <translation>Changer les touches</translation>
+    </message>
+    <message>
+        <source>Show entries with these words or keys</source>
+        <translation>Afficher les entrées avec ces mots ou touches</translation>
+    </message>
+    <message>
+        <source>Menu</source>
+        <translation>Menu</translation>
+    </message>
+    <message>
+        <source>Entry</source>
+        <translation>Entrée</translation>
+    </message>
+    <message>
+        <source>Keys</source>
+        <translation>Touches</translation>
+    </message>
+    <message>
+        <source>&amp;Take it</source>
+        <translation>&amp;La prendre</translation>
+    </message>
+    <message>
+        <source>Gives the key to this entry, and the other one loses it</source>
+        <translation>Donne la touche à cette entrée, et l'autre la perd</translation>
+    </message>
+    <message>
+        <source>&amp;No key</source>
+        <translation>&amp;Aucune touche</translation>
+    </message>
+    <message>
+        <source>As it &amp;was</source>
+        <translation>&amp;Comme avant</translation>
+    </message>
+    <message>
+        <source>The key that the entry comes with</source>
+        <translation>La touche d'origine de l'entrée</translation>
+    </message>
+    <message>
+        <source>&amp;Key</source>
+        <translation>&amp;Touche</translation>
+    </message>
+    <message>
+        <source>&amp;All as they were</source>
+        <translation>T&amp;outes comme avant</translation>
+    </message>
+    <message>
+        <source>&amp;Export…</source>
+        <translation>&amp;Exporter…</translation>
+    </message>
+    <message>
+        <source>&amp;Import…</source>
+        <translation>&amp;Importer…</translation>
+    </message>
+    <message>
+        <source>Click into the box and press the key. Changed keys are bold.</source>
+        <translation>Cliquez dans la case et appuyez sur la touche. Les touches changées sont en gras.</translation>
+    </message>
+    <message>
+        <source>%1 is a key of the views: no entry can have it.</source>
+        <translation>%1 est une touche des vues : aucune entrée ne peut l'avoir.</translation>
+    </message>
+    <message>
+        <source>%1 is the key of %2 → %3. Take it?</source>
+        <translation>%1 est la touche de %2 → %3. La prendre ?</translation>
+    </message>
+    <message>
+        <source>Export keys</source>
+        <translation>Exporter les touches</translation>
+    </message>
+    <message>
+        <source>Written to %1.</source>
+        <translation>Écrit dans %1.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be written: %2. Choose another folder.</source>
+        <translation>%1 ne peut pas être écrit : %2. Choisissez un autre dossier.</translation>
+    </message>
+    <message>
+        <source>Import keys</source>
+        <translation>Importer les touches</translation>
+    </message>
+    <message>
+        <source>Keys (*.json);;All files (*)</source>
+        <translation>Touches (*.json);;Tous les fichiers (*)</translation>
+    </message>
+    <message>
+        <source>%1 cannot be read: %2.</source>
+        <translation>%1 ne peut pas être lu : %2.</translation>
+    </message>
+    <message>
+        <source>Taken over from %1.</source>
+        <translation>Repris de %1.</translation>
     </message>
 </context>
 </TS>

@@ -88,7 +88,8 @@ QString flawOf(const Message& message, const QString& text) {
   if (edges(text) != edges(source)) return QStringLiteral("other spaces at its ends");
   if (text.trimmed().endsWith(QChar(0x2026)) != source.trimmed().endsWith(QChar(0x2026)))
     return QStringLiteral("an ellipsis more or less");
-  if (hasMnemonic(text) != hasMnemonic(source)) return QStringLiteral("a mnemonic more or less");
+  // In a long menu the letters of a language may all be taken: then an entry goes without.
+  if (hasMnemonic(text) && !hasMnemonic(source)) return QStringLiteral("a mnemonic more");
   if (text.count(tag) != source.count(tag)) return QStringLiteral("other tags");
   if (text.count(QLatin1Char('\n')) != source.count(QLatin1Char('\n'))) return QStringLiteral("other lines");
   if (source.contains(QLatin1String(";;")) && text.section(QLatin1Char('('), 1) == QString())
@@ -121,7 +122,7 @@ TEST(Languages, TheTestOfTranslationsNoticesFlaws) {
   EXPECT_TRUE(flaw("Open %1", "Öffnen"));
   EXPECT_TRUE(flaw("Open %1", "%2 öffnen"));
   EXPECT_TRUE(flaw("Open…", "Öffnen"));
-  EXPECT_TRUE(flaw("&Open", "Öffnen"));
+  EXPECT_TRUE(flaw("Open", "&Öffnen"));
   EXPECT_TRUE(flaw(" mm", "mm"));
   EXPECT_TRUE(flaw("Open", ""));
   EXPECT_TRUE(flaw("<b>Open</b>", "Öffnen"));
@@ -250,8 +251,8 @@ TEST_P(Spoken, PluralsFollowTheNumber) {
 
 TEST_P(Spoken, NumbersHaveThePointOfTheLanguage) {
   const QChar point = GetParam().code == std::string("zh_CN") ? QLatin1Char('.') : QLatin1Char(',');
-  EXPECT_EQ(numberText(1234.5, 1), QStringLiteral("1234%15").arg(point));
-  EXPECT_EQ(volumeText(12.34), QStringLiteral("12%13 ml").arg(point));
+  EXPECT_EQ(numberText(1234.5, 1), QStringLiteral("1234") + point + QLatin1Char('5'));
+  EXPECT_EQ(volumeText(12.34), QStringLiteral("12") + point + QStringLiteral("3 ml"));
   // A point among digits that would stand between thousands is no number.
   bool isNumber = true;
   if (point == QLatin1Char(',')) {

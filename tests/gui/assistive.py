@@ -18,9 +18,9 @@ except ImportError:
 
 program, language = sys.argv[1:]
 texts = {
-    "en": {"tick": "Open the context around the focus", "slider": "Opening", "choice": "Method", "tab": "Clipping",
+    "en": {"tick": "Open the context around the focus", "slider": "Opening", "choice": "Adaptive cutaway", "tab": "Clipping",
            "menu": "Settings…", "dialog": "Settings", "list": "Structures", "slice": "Axial"},
-    "de": {"tick": "Kontext um den Fokus öffnen", "slider": "Öffnung", "choice": "Methode", "tab": "Beschnitt",
+    "de": {"tick": "Kontext um den Fokus öffnen", "slider": "Öffnung", "choice": "Adaptiver Freischnitt", "tab": "Beschnitt",
            "menu": "Einstellungen…", "dialog": "Einstellungen", "list": "Strukturen", "slice": "Axial"},
 }[language]
 patience = 120  # s; reached only when something is missing
@@ -89,6 +89,7 @@ try:
     wait_for("a field that follows its slider",
              lambda: abs(box.queryValue().currentValue - slider.queryValue().currentValue) < 1e-6)
 
+    # On Linux, Qt calls a box of choices by what is chosen, and relates it to its label.
     wait_for(texts["choice"], lambda: named(app, texts["choice"], "combo box"))
     wait_for("rows of the list", lambda: named(app, texts["list"], "tree").childCount > 20)
     wait_for(texts["slice"], lambda: next(node for node in below(app) if node.name == texts["slice"] and showing(node)

@@ -152,6 +152,7 @@ TEST(GuideText, OptionsAndCommandsAreThoseOfThePrograms) {
   std::set<std::string> options{"--help"}, commands;
 #ifndef FENESTRA_WINDOW
   options.insert("--screenshot");  // of the window's program alone
+  options.insert("--language");
 #endif
   for (const Program& program : programs()) {
     options.merge(optionsInHelp(program, ""));

@@ -25,7 +25,11 @@ QString digits(double value) {
 
 }  // namespace
 
-QString numberText(double value, int decimals, char format) { return QLocale().toString(value, format, decimals); }
+QString numberText(double value, int decimals, char format) {
+  QLocale locale;
+  locale.setNumberOptions(locale.numberOptions() | QLocale::OmitGroupSeparator);
+  return locale.toString(value, format, decimals);
+}
 
 QString volumeText(double ml) {
   constexpr double perLitre = 1000.0, mostMl = 10.0 * perLitre;
