@@ -305,6 +305,7 @@ OpenedVolume openVolume(const fs::path& path, const OpenOptions& options) {
           renameFiles(opened, [&](const fs::path& file) { return archive.named(file); });
           // What sessions look for and hash.
           opened.series.files = {path};
+          opened.slices.clear();
           for (SeriesInfo& series : opened.otherSeries) series.files = {path};
           return opened;
         });

@@ -18,8 +18,14 @@ namespace fenestra::cli {
 struct InfoOptions {
   io::DataRequest data;
   bool descriptions = false;  ///< also the series' free texts, which may hold anything the operator typed
+  bool tags = false;          ///< the DICOM attributes of a slice's file instead
+  bool withPatient = false;   ///< also those attributes' values that may identify the patient
+  std::string search;         ///< only attributes that hold it
+  std::optional<int> slice;   ///< as scanned, from 0; the middle one otherwise
 };
 void info(const InfoOptions& options);
+/// Prints the DICOM attributes of one slice's file.
+void tags(const InfoOptions& options);
 
 struct ConvertOptions {
   io::DataRequest data;

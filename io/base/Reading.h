@@ -142,6 +142,12 @@ struct SegmentationInfo {
   std::vector<std::string> structures;  ///< their names, in the file's order
 };
 
+/// Where a scanned slice lies: its file, an index into SeriesInfo::files, and the stored frame in it, from 0.
+struct SliceSource {
+  std::uint32_t file = 0, frame = 0;
+  bool operator==(const SliceSource&) const = default;
+};
+
 /// What is known of an open volume beside its voxels.
 struct VolumeInfo {
   std::string format;  ///< "DICOM", "NIfTI", "NRRD", "MetaImage", "MGH", "Analyze", "TIFF", "raw", "phantom"
@@ -154,6 +160,9 @@ struct VolumeInfo {
   std::vector<SegmentationInfo> segmentations;  ///< of the series, among the files that were opened with it
   std::optional<Modality> modality;             ///< told by OpenOptions or recognised; unset: the file's own
   std::optional<GeometryReport> geometry;  ///< of a series whose slices do not lie straight behind each other, evenly
+  /// Of a DICOM series outside archives, in the order of the volume's third axis; each is the plane of its number
+  /// unless `geometry` says that planes were interpolated between slices. Otherwise empty.
+  std::vector<SliceSource> slices;
 };
 
 struct OpenedVolume : VolumeInfo {

@@ -59,6 +59,17 @@ SeriesInfo describe(const DicomStack& stack, const std::vector<DicomFile>& files
   return info;
 }
 
+/// The sources of a stack's slices among the files that describe() lists for it.
+std::vector<SliceSource> sourcesOf(const DicomStack& stack) {
+  std::map<std::size_t, std::uint32_t> listed;
+  std::vector<SliceSource> sources;
+  for (const DicomFrame& frame : stack.frames) {
+    const auto file = listed.emplace(frame.file, static_cast<std::uint32_t>(listed.size())).first;
+    sources.push_back({file->second, static_cast<std::uint32_t>(frame.number)});
+  }
+  return sources;
+}
+
 /// All volumes of a scan, series by series in the order their first files have; the largest of a series first.
 std::vector<Candidate> candidatesOf(const DicomScan& scan) {
   std::vector<std::string> series;
@@ -216,6 +227,7 @@ OpenedVolume openScanned(const fs::path& path, const OpenOptions& options, Packe
                                   {.progress = options.progress, .from = pixelsShare, .to = 1.0}, *volume);
     opened.volume = std::move(volume);
     opened.format = "DICOM";
+    opened.slices = sourcesOf(stack);
     opened.patient = first.patient;
     if (const SeriesChoice rule = firstOf(candidates); rule.index == choice) opened.reason = rule.reason;
     if (opened.geometry) opened.warnings = opened.geometry->findings;

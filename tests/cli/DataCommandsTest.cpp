@@ -81,6 +81,45 @@ TEST_F(DataCommands, MeasuresEachLabel) {
   EXPECT_NE(bare.error.find("name a label map with --labels"), std::string::npos) << bare.error;
 }
 
+TEST_F(DataCommands, TagsOfASliceAreListedWithoutThePatient) {
+  const fs::path folder = at("tags");
+  fs::create_directories(folder);
+  for (int i = 0; i < 3; ++i) {
+    DicomSpec spec;
+    spec.instance = "1.2.3." + std::to_string(i);
+    spec.instanceNumber = 10 + i;
+    spec.position = glm::dvec3(0, 0, -2.0 * i);
+    spec.patientName = "Vermeer^Johanna";
+    writeDicom(folder / std::to_string(i), spec);
+  }
+  const auto numberOf = [&](const std::vector<std::string>& more) {
+    std::vector<std::string> words{"info", folder.string(), "--tags", "--search", "instancenumber"};
+    words.insert(words.end(), more.begin(), more.end());
+    return run(words).json()["tags"][0]["value"];
+  };
+  EXPECT_EQ(numberOf({}), "11");
+  EXPECT_EQ(numberOf({"--slice", "0"}), "12");
+  EXPECT_EQ(numberOf({"--slice", "2"}), "10");
+
+  const Result hidden = run({"info", folder.string(), "--tags"});
+  ASSERT_EQ(hidden.exitCode, 0) << hidden.error;
+  EXPECT_EQ(hidden.out.find("Vermeer"), std::string::npos);
+  EXPECT_EQ(run({"info", folder.string(), "--tags", "--search", "vermeer"}).json()["tags"], Json::array());
+  const Json shown = run({"info", folder.string(), "--tags", "--search", "0010,0010", "--with-patient"}).json();
+  EXPECT_EQ(shown["tags"][0]["value"], "Vermeer^Johanna");
+  EXPECT_EQ(shown["slices"], 3);
+
+  for (const char* beyond : {"3", "-1"}) {
+    const Result outside = run({"info", folder.string(), "--tags", "--slice", beyond});
+    EXPECT_EQ(outside.exitCode, 1);
+    EXPECT_NE(outside.error.find("slices run from 0 to 2"), std::string::npos) << outside.error;
+  }
+  const Result phantom = run({"info", "--phantom", "head", "--phantom-voxels", "16", "--tags"});
+  EXPECT_EQ(phantom.exitCode, 1);
+  EXPECT_NE(phantom.error.find("has no DICOM attributes"), std::string::npos) << phantom.error;
+  EXPECT_EQ(run({"info", folder.string(), "--slice", "1"}).exitCode, 2);
+}
+
 TEST_F(DataCommands, ConvertedVolumesAreTheSameVolume) {
   const Json original = run({"info", "--phantom", "head", "--phantom-voxels", "40"}).json();
   for (const std::string name : {"volume.mha", "volume.nii.gz", "volume.nii", "volume.nrrd", "Kopf größer 頭.nrrd"}) {
