@@ -72,7 +72,9 @@ Conventions::Cases Conventions::sliceGestures() {
               for (const SlicePlane plane : {SlicePlane::Sagittal, SlicePlane::Coronal}) {
                 const double angle = axial()->planeTool().angle(plane);
                 EXPECT_EQ(planes().isTurned(plane), plane == handle.plane || modifiers == Qt::ControlModifier);
-                if (modifiers == Qt::ShiftModifier) EXPECT_NEAR(std::remainder(angle, 45.0), 0.0, 1e-9);
+                if (modifiers == Qt::ShiftModifier) {
+                  EXPECT_NEAR(std::remainder(angle, 45.0), 0.0, 1e-9);
+                }
               }
               planes().resetAll();
             }
