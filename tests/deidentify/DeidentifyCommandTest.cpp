@@ -71,10 +71,10 @@ TEST_F(DeidentifyCommand, SaysWhatIsWrong) {
 }
 
 TEST_F(DeidentifyCommand, NamesTheDataOfASession) {
-  write(at("work.fenestra"), R"({"version": 4, "volume": {"path": "in"}})");
+  write(at("work.fenestra"), R"({"format": "fenestra-session", "version": 3, "volume": {"path": "in"}})");
   const Result refused = run({"deidentify", at("work.fenestra"), "-o", at("out")});
   expectFailure(refused, at("work.fenestra"));
-  EXPECT_NE(refused.error.find("in"), std::string::npos) << refused.error;
+  EXPECT_NE(refused.error.find("name the data that it shows: " + at("in")), std::string::npos) << refused.error;
 }
 
 TEST_F(DeidentifyCommand, TakesArchives) {
