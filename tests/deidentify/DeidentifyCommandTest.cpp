@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "io/session/SessionFile.h"
 #include "tests/cli/CommandLine.h"
 #include "tests/io/DicomWriter.h"
 
@@ -71,7 +72,9 @@ TEST_F(DeidentifyCommand, SaysWhatIsWrong) {
 }
 
 TEST_F(DeidentifyCommand, NamesTheDataOfASession) {
-  write(at("work.fenestra"), R"({"format": "fenestra-session", "version": 3, "volume": {"path": "in"}})");
+  io::Session session;
+  session.volume.path = at("in");
+  io::writeSession(at("work.fenestra"), session);
   const Result refused = run({"deidentify", at("work.fenestra"), "-o", at("out")});
   expectFailure(refused, at("work.fenestra"));
   EXPECT_NE(refused.error.find("name the data that it shows: " + at("in")), std::string::npos) << refused.error;
