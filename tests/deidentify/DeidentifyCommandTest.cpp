@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "io/session/SessionFile.h"
 #include "tests/cli/CommandLine.h"
 #include "tests/io/DicomWriter.h"
 
@@ -49,7 +50,8 @@ TEST_F(DeidentifyCommand, PreviewsWithoutValuesUnlessAsked) {
   ASSERT_EQ(preview.exitCode, 0) << preview.error;
   EXPECT_EQ(preview.out.find("Mustermann"), std::string::npos);
   bool found = false;
-  for (const Json& change : preview.json()["changes"])
+  const Json json = preview.json();
+  for (const Json& change : json["changes"])
     if (change["attribute"] == "PatientName") {
       found = true;
       EXPECT_EQ(change["tag"], "(0010,0010)");
@@ -70,10 +72,12 @@ TEST_F(DeidentifyCommand, SaysWhatIsWrong) {
 }
 
 TEST_F(DeidentifyCommand, NamesTheDataOfASession) {
-  write(at("work.fenestra"), R"({"version": 4, "volume": {"path": "in"}})");
+  io::Session session;
+  session.volume.path = at("in");
+  io::writeSession(at("work.fenestra"), session);
   const Result refused = run({"deidentify", at("work.fenestra"), "-o", at("out")});
   expectFailure(refused, at("work.fenestra"));
-  EXPECT_NE(refused.error.find("in"), std::string::npos) << refused.error;
+  EXPECT_NE(refused.error.find("name the data that it shows: " + at("in")), std::string::npos) << refused.error;
 }
 
 TEST_F(DeidentifyCommand, TakesArchives) {
@@ -86,7 +90,7 @@ TEST_F(DeidentifyCommand, TakesArchives) {
 TEST_F(DeidentifyCommand, SaysThatTheDiskIsFullAndLeavesNothing) {
   if (!canMountSmall()) GTEST_SKIP() << "needs a mount namespace of its own (unshare -m, as root)";
   fs::create_directories(at("small"));
-  const std::string command = "unshare -m sh -c \"mount -t tmpfs -o size=8k none '" + at("small") + "' && '" +
+  const std::string command = "unshare -m sh -c \"mount -t tmpfs -o size=4k none '" + at("small") + "' && '" +
                               FENESTRA_CLI + "' deidentify '" + at("in") + "' -o '" + at("small/out") +
                               "'; echo exit $?; ls -A '" + at("small") + "'\" > '" + at("log") + "' 2>&1";
   ASSERT_EQ(std::system(command.c_str()), 0) << contents(at("log"));

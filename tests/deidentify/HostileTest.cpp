@@ -40,7 +40,7 @@ class DeidentifyHostile : public ::testing::Test {
     const fs::path file = folder_ / "whole.dcm";
     writeEdited(file, pictureSpec(),
                 {set(0x00100010, "PN", "Mustermann^Erika"),
-                 set(0x00400275, "SQ", item(element(0x00321060, "LO", "Thorax") + element(0x00400009, "SH", "1")))});
+                 set(0x00400275, "SQ", item(element(0x00321060, "LO", "Thorax") + element(0x00400009, "SH", "1 ")))});
     const std::string bytes = readFile(file);
     fs::remove(file);
     return bytes;

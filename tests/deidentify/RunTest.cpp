@@ -46,7 +46,7 @@ std::vector<Edit> plantedEdits() {
           set(0xfffcfffc, "OB", "Mustermann"),  // padding behind the pixels
           set(0x00400275, "SQ",
               item(element(0x00321060, "LO", "MR of Mustermann") + element(0x00400009, "SH", "ACC-99887766"))),
-          set(0x00081110, "SQ", item(element(0x00081155, "UI", "1.2.3.4.5.1")))};
+          set(0x00081110, "SQ", item(element(0x00081155, "UI", "1.2.3.4.5.12")))};
 }
 
 DicomSpec patientSpec(Syntax syntax = Syntax::ExplicitLittle) {
