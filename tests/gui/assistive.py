@@ -114,7 +114,10 @@ try:
 
     entry = wait_for(texts["menu"], lambda: next(node for node in below(app) if node.name == texts["menu"]
                                                  and node.getRoleName() == "menu item"))
-    use(entry)
+    try:
+        use(entry)
+    except Exception:  # Qt answers only once the dialog is closed, and AT-SPI stops waiting before
+        pass
     wait_for(texts["dialog"], lambda: next(node for node in below(app) if node.name == texts["dialog"]
                                            and node.getRoleName() == "dialog" and showing(node)))
 finally:
