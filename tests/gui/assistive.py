@@ -18,9 +18,9 @@ except ImportError:
 
 program, language = sys.argv[1:]
 texts = {
-    "en": {"tick": "Open the context around the focus", "slider": "Opening", "choice": "Adaptive cutaway", "tab": "Clipping",
+    "en": {"tick": "Open the context around the focus", "slider": "Opening", "choice": "Adaptive cutaway", "tab": "Clipping", "in tab": "Crop to a box",
            "menu": "Settings…", "dialog": "Settings", "list": "Structures", "slice": "Axial"},
-    "de": {"tick": "Kontext um den Fokus öffnen", "slider": "Öffnung", "choice": "Adaptiver Freischnitt", "tab": "Beschnitt",
+    "de": {"tick": "Kontext um den Fokus öffnen", "slider": "Öffnung", "choice": "Adaptiver Freischnitt", "tab": "Beschnitt", "in tab": "Auf einen Quader zuschneiden",
            "menu": "Einstellungen…", "dialog": "Einstellungen", "list": "Strukturen", "slice": "Axial"},
 }[language]
 patience = 120  # s; reached only when something is missing
@@ -100,7 +100,7 @@ try:
     for round in (None, tab):
         if round:
             use(round)
-            wait_for("the tab's panel", lambda: round.getState().contains(pyatspi.STATE_SELECTED))
+            wait_for("the tab's panel", lambda: named(app, texts["in tab"], "check box"))
         for node in below(app):
             if node.getRoleName() in interactive and showing(node):
                 seen.add((node.getRoleName(), node.name))
@@ -114,7 +114,10 @@ try:
 
     entry = wait_for(texts["menu"], lambda: next(node for node in below(app) if node.name == texts["menu"]
                                                  and node.getRoleName() == "menu item"))
-    use(entry)
+    try:
+        use(entry)
+    except Exception:  # Qt answers only once the dialog is closed, and AT-SPI stops waiting before
+        pass
     wait_for(texts["dialog"], lambda: next(node for node in below(app) if node.name == texts["dialog"]
                                            and node.getRoleName() == "dialog" and showing(node)))
 finally:
