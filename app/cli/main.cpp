@@ -90,14 +90,14 @@ Runnable addInfo(app::Program& program, InfoOptions& options) {
   app::addVolumeOptions(command, options.data);
   command.addFlag("--descriptions", options.descriptions,
                   "also the series' descriptions, free texts that may name the patient");
-  const app::Option tags = command.addFlag("--tags", options.tags, "the DICOM attributes of a slice's file instead");
+  const app::Option asTags = command.addFlag("--tags", options.tags, "the DICOM attributes of a slice's file instead");
   command.addValue("--search", options.search, "only attributes whose tag, name or value holds it, in any case")
       .as("TEXT")
-      .needs(tags);
+      .needs(asTags);
   command.addValue("--slice", options.slice, "number of the slice as scanned, from 0; the middle one otherwise")
       .as("K")
-      .needs(tags);
-  command.addFlag("--with-patient", options.withPatient, "also values that may identify the patient").needs(tags);
+      .needs(asTags);
+  command.addFlag("--with-patient", options.withPatient, "also values that may identify the patient").needs(asTags);
   command.atLast([command] { requireSource(command); });
   return {command, &options.data, [&] { return options.tags ? tags(options) : info(options), true; }};
 }
