@@ -102,8 +102,8 @@ TEST_F(PlanesWindow, ATurnedSliceShowsTheVolumeWhereItSaysThatItDoes) {
   turn(slice(SlicePlane::Sagittal), SlicePlane::Coronal, 21.0);
   const Volume& volume = *document().scene().volume;
   int seen = 0;
-  for (int y = 20; y < coronal()->height() - 20; y += 23)
-    for (int x = 20; x < coronal()->width() - 20; x += 23) {
+  for (int y = 20; y < coronal()->height() - 20; y += 13)
+    for (int x = 20; x < coronal()->width() - 20; x += 13) {
       const glm::dvec3 world = coronal()->worldFromWidget({x + 0.5, y + 0.5});
       const glm::dvec3 index(volume.grid.indexFromWorld() * glm::dvec4(world, 1.0));
       // Beside edges, where half a pixel matters.
@@ -221,7 +221,7 @@ TEST_F(PlanesWindow, AMeasureOnATurnedSliceShowsOnItsPlaneAlone) {
   ASSERT_EQ(document().measures().size(), 2u);
   ASSERT_TRUE(document().measured(1).region);
   EXPECT_EQ(document().measured(1).region->mean, 900.0);
-  EXPECT_GT(document().measured(1).region->count, 4u);
+  EXPECT_GE(document().measured(1).region->count, 4u) << "28 mm² in pixels of 2.3 × 2.3 mm, from a corner on";
 }
 
 TEST_F(PlanesWindow, ASliceFacesACameraWhileItTurns) {
