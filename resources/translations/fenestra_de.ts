@@ -3438,7 +3438,7 @@ Kosinus des Winkels zur nächsten der sechs</translation>
         <translation>&amp;Schichten</translation>
     </message>
     <message>
-        <source>&amp;Flip left and right</source>
+        <source>Flip &amp;left and right</source>
         <translation>&amp;Links und rechts spiegeln</translation>
     </message>
     <message>
@@ -3462,7 +3462,7 @@ Kosinus des Winkels zur nächsten der sechs</translation>
         <translation>Z</translation>
     </message>
     <message>
-        <source>True &amp;size</source>
+        <source>Tru&amp;e size</source>
         <translation>&amp;Wahre Größe</translation>
     </message>
     <message>
@@ -3495,7 +3495,7 @@ Kosinus des Winkels zur nächsten der sechs</translation>
             <numerusform>%n Schicht je Sekunde</numerusform><numerusform>%n Schichten je Sekunde</numerusform></translation>
     </message>
     <message>
-        <source>Play fa&amp;ster</source>
+        <source>Play &amp;faster</source>
         <translation>&amp;Schneller abspielen</translation>
     </message>
     <message>

@@ -3438,7 +3438,7 @@ Coseno del ángulo con la más próxima de las seis</translation>
         <translation>&amp;Cortes</translation>
     </message>
     <message>
-        <source>&amp;Flip left and right</source>
+        <source>Flip &amp;left and right</source>
         <translation>&amp;Voltear izquierda y derecha</translation>
     </message>
     <message>
@@ -3462,7 +3462,7 @@ Coseno del ángulo con la más próxima de las seis</translation>
         <translation>Z</translation>
     </message>
     <message>
-        <source>True &amp;size</source>
+        <source>Tru&amp;e size</source>
         <translation>&amp;Tamaño real</translation>
     </message>
     <message>
@@ -3495,7 +3495,7 @@ Coseno del ángulo con la más próxima de las seis</translation>
             <numerusform>%n corte por segundo</numerusform><numerusform>%n cortes por segundo</numerusform></translation>
     </message>
     <message>
-        <source>Play fa&amp;ster</source>
+        <source>Play &amp;faster</source>
         <translation>&amp;Más rápido</translation>
     </message>
     <message>

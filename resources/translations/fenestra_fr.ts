@@ -3438,7 +3438,7 @@ Cosinus de l'angle avec la plus proche des six</translation>
         <translation>C&amp;oupes</translation>
     </message>
     <message>
-        <source>&amp;Flip left and right</source>
+        <source>Flip &amp;left and right</source>
         <translation>&amp;Retourner gauche et droite</translation>
     </message>
     <message>
@@ -3462,7 +3462,7 @@ Cosinus de l'angle avec la plus proche des six</translation>
         <translation>Z</translation>
     </message>
     <message>
-        <source>True &amp;size</source>
+        <source>Tru&amp;e size</source>
         <translation>T&amp;aille réelle</translation>
     </message>
     <message>
@@ -3495,7 +3495,7 @@ Cosinus de l'angle avec la plus proche des six</translation>
             <numerusform>%n coupe par seconde</numerusform><numerusform>%n coupes par seconde</numerusform></translation>
     </message>
     <message>
-        <source>Play fa&amp;ster</source>
+        <source>Play &amp;faster</source>
         <translation>&amp;Plus vite</translation>
     </message>
     <message>

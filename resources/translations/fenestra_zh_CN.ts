@@ -3438,7 +3438,7 @@ Cosine of the angle to the nearest of the six</source>
         <translation>层面(&amp;L)</translation>
     </message>
     <message>
-        <source>&amp;Flip left and right</source>
+        <source>Flip &amp;left and right</source>
         <translation>左右翻转(&amp;F)</translation>
     </message>
     <message>
@@ -3462,7 +3462,7 @@ Cosine of the angle to the nearest of the six</source>
         <translation>Z</translation>
     </message>
     <message>
-        <source>True &amp;size</source>
+        <source>Tru&amp;e size</source>
         <translation>实际大小(&amp;S)</translation>
     </message>
     <message>
@@ -3495,7 +3495,7 @@ Cosine of the angle to the nearest of the six</source>
             <numerusform>每秒 %n 层</numerusform></translation>
     </message>
     <message>
-        <source>Play fa&amp;ster</source>
+        <source>Play &amp;faster</source>
         <translation>加快播放(&amp;L)</translation>
     </message>
     <message>

@@ -215,7 +215,7 @@ void Conventions::addViewCases(Cases& cases) {
   cases["T"] = [this] { expectToggle("T", [this] { return options().text(); }); };
   cases["H"] = [this] { expectToggle("H", [this] { return options().hidesPatient(); }); };
   cases["Shift+O"] = [this] { expectToggle("Shift+O", [this] { return options().planes(); }); };
-  for (const char* keys : {"Shift+F", "N", "Shift+N"})
+  for (const char* keys : {"Shift+F", "V", "Shift+V"})
     cases[keys] = [this, keys] {
       axial()->setFocus();
       press("Shift+F");
@@ -224,7 +224,7 @@ void Conventions::addViewCases(Cases& cases) {
       press(keys);
       EXPECT_EQ(planes().pose(SlicePlane::Axial).follow, PlaneFollow::None);
       EXPECT_EQ(planes().isTurned(SlicePlane::Axial), std::string(keys) == "Shift+F");
-      EXPECT_EQ(planes().isTurned(SlicePlane::Coronal), std::string(keys) != "Shift+N");
+      EXPECT_EQ(planes().isTurned(SlicePlane::Coronal), std::string(keys) != "Shift+V");
       planes().resetAll();
     };
   cases["F11"] = [this] { expectToggle("F11", [this] { return window_->isFullScreen(); }); };

@@ -88,7 +88,7 @@ class Actions : public QObject {
   void showSettings();
   void makeViewMenu();
   void makeLayoutMenu(QMenu& menu);
-  void makeSliceMenu(QMenu& menu);
+  void addSlicePictures(QMenu& menu);
   /// The slice that is active; while a 3-D view is, the first that shows.
   SliceView& activeSlice() const;
   void addOwnLayouts(QMenu& layouts);

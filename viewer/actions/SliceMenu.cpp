@@ -18,20 +18,20 @@ SliceView& Actions::activeSlice() const {
   return *slices.front();
 }
 
-void Actions::makeSliceMenu(QMenu& menu) {
-  QMenu* slices = menu.addMenu(tr("S&lices"));
-  slices->addAction(
-      volumeAction(tr("&Flip left and right"), QKeySequence(tr("X")), [this] { activeSlice().flipAcross(); }));
-  slices->addAction(volumeAction(tr("Flip &up and down"), QKeySequence(tr("Y")), [this] { activeSlice().flipDown(); }));
-  slices->addAction(volumeAction(tr("&Turn by 90°"), QKeySequence(tr("Z")), [this] { activeSlice().turnClockwise(); }));
-  slices->addAction(volumeAction(tr("True &size"), QKeySequence(tr("J")), [this] {
+void Actions::addSlicePictures(QMenu& menu) {
+  menu.addSeparator();
+  menu.addAction(
+      volumeAction(tr("Flip &left and right"), QKeySequence(tr("X")), [this] { activeSlice().flipAcross(); }));
+  menu.addAction(volumeAction(tr("Flip &up and down"), QKeySequence(tr("Y")), [this] { activeSlice().flipDown(); }));
+  menu.addAction(volumeAction(tr("&Turn by 90°"), QKeySequence(tr("Z")), [this] { activeSlice().turnClockwise(); }));
+  menu.addAction(volumeAction(tr("Tru&e size"), QKeySequence(tr("J")), [this] {
     if (activeSlice().showTrueSize()) return;
     constexpr int readable = 8000;  // ms
     targets_.window.statusBar()->showMessage(
         tr("This screen does not say how large it is, so that true size cannot be shown."), readable);
   }));
-  slices->addAction(preferenceToggle(tr("&Neurological convention"), QKeySequence(tr("U")), Preference::Neurological));
-  slices->addSeparator();
+  menu.addAction(preferenceToggle(tr("&Neurological convention"), QKeySequence(tr("U")), Preference::Neurological));
+  menu.addSeparator();
   QAction* play = volumeAction(tr("&Play"), QKeySequence(tr("K")), [this] {
     if (!cine_.stop()) cine_.play(activeSlice());
   });
@@ -42,9 +42,9 @@ void Actions::makeSliceMenu(QMenu& menu) {
     constexpr int readable = 3000;  // ms
     targets_.window.statusBar()->showMessage(tr("%n slices a second", nullptr, cine_.slicesPerSecond()), readable);
   };
-  slices->addAction(play);
-  slices->addAction(volumeAction(tr("Play fa&ster"), QKeySequence(tr("Shift+K")), [changeSpeed] { changeSpeed(1); }));
-  slices->addAction(volumeAction(tr("Play slo&wer"), QKeySequence(tr("Ctrl+K")), [changeSpeed] { changeSpeed(-1); }));
+  menu.addAction(play);
+  menu.addAction(volumeAction(tr("Play &faster"), QKeySequence(tr("Shift+K")), [changeSpeed] { changeSpeed(1); }));
+  menu.addAction(volumeAction(tr("Play slo&wer"), QKeySequence(tr("Ctrl+K")), [changeSpeed] { changeSpeed(-1); }));
   connect(&targets_.workspace.document, &Document::volumeChanged, &cine_, &Cine::stop);
 }
 

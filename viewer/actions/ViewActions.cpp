@@ -28,10 +28,11 @@ void Actions::makeViewMenu() {
   menu->addAction(verify);
   menu->addSeparator();
   makeOverlayEntries(*menu);
-  menu->addMenu(makeSlicesMenu());
+  QMenu* slices = makeSlicesMenu();
+  addSlicePictures(*slices);
+  menu->addMenu(slices);
   menu->addSeparator();
   makeLayoutMenu(*menu);
-  makeSliceMenu(*menu);
   menu->addAction(action(tr("All &views"), QKeySequence(tr("Esc")), [this] { stop(); }));
   menu->addAction(action(tr("F&ull screen"), QKeySequence(tr("F11")), [this] {
     targets_.window.setWindowState(targets_.window.windowState() ^ Qt::WindowFullScreen);
@@ -177,8 +178,8 @@ QMenu* Actions::makeSlicesMenu() {
   menu->addAction(shown);
   menu->addSeparator();
   menu->addAction(
-      volumeAction(tr("&Reset the plane"), QKeySequence(tr("N")), [this, &planes] { planes.reset(usedPlane()); }));
-  menu->addAction(volumeAction(tr("Reset &all planes"), QKeySequence(tr("Shift+N")), [&planes] { planes.resetAll(); }));
+      volumeAction(tr("&Reset the plane"), QKeySequence(tr("V")), [this, &planes] { planes.reset(usedPlane()); }));
+  menu->addAction(volumeAction(tr("Reset &all planes"), QKeySequence(tr("Shift+V")), [&planes] { planes.resetAll(); }));
   return menu;
 }
 
