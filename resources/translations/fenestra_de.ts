@@ -247,7 +247,7 @@
         <translation>Umschalt+Rad, Umschalt+Ziehen</translation>
     </message>
     <message>
-        <source>depth, or by how much the context's edges change</source>
+        <source>depth, or by how much the context&apos;s edges change</source>
         <translation>Tiefe, oder um wie viel sich die Kanten des Kontexts ändern</translation>
     </message>
     <message>
@@ -267,7 +267,7 @@
         <translation>Transferfunktion</translation>
     </message>
     <message>
-        <source>Drag a point, or a trapezoid's edge, top or inside</source>
+        <source>Drag a point, or a trapezoid&apos;s edge, top or inside</source>
         <translation>Punkt ziehen, oder Kante, Oberseite oder Inneres eines Trapezes</translation>
     </message>
     <message>
@@ -363,7 +363,7 @@
         <translation>Dicke des Schichtpakets, von der Schicht allein bis 100 mm</translation>
     </message>
     <message>
-        <source>The crosshair's lines, on the slices</source>
+        <source>The crosshair&apos;s lines, on the slices</source>
         <translation>Linien des Fadenkreuzes, auf den Schichten</translation>
     </message>
     <message>
@@ -398,6 +398,26 @@
         <source>move the picture; on the body only while clicks choose no focus (Focus menu)</source>
         <translation>das Bild verschieben; auf dem Körper nur, solange Klicks keinen Fokus wählen (Menü Fokus)</translation>
     </message>
+    <message>
+        <source>What an archive holds</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Double-click, Return</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>retrieve the study or series, and open it once it is whole</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Drag onto a view</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>retrieve what is selected, and open it once it is whole</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Fidelity</name>
@@ -426,11 +446,11 @@
         <translation>Orte oder Größen sind angenommen, weil die Datei sie nicht angibt</translation>
     </message>
     <message>
-        <source>some values are outside of what the file's header allows</source>
+        <source>some values are outside of what the file&apos;s header allows</source>
         <translation>manche Werte liegen außerhalb dessen, was der Header erlaubt</translation>
     </message>
     <message>
-        <source>values are rounded to the precision of the program's numbers</source>
+        <source>values are rounded to the precision of the program&apos;s numbers</source>
         <translation>Werte sind auf die Genauigkeit der Zahlen des Programms gerundet</translation>
     </message>
     <message>
@@ -482,7 +502,7 @@
         <translation>ein Teil des Volumens ist abgetragen</translation>
     </message>
     <message>
-        <source>the scanner's table is left out</source>
+        <source>the scanner&apos;s table is left out</source>
         <translation>der Tisch des Scanners ist weggelassen</translation>
     </message>
     <message>
@@ -650,11 +670,11 @@
 <context>
     <name>GlSupport</name>
     <message>
-        <source>Qt's offscreen platform has no OpenGL; unset QT_QPA_PLATFORM.</source>
+        <source>Qt&apos;s offscreen platform has no OpenGL; unset QT_QPA_PLATFORM.</source>
         <translation>Qts Offscreen-Plattform hat kein OpenGL; QT_QPA_PLATFORM nicht setzen.</translation>
     </message>
     <message>
-        <source>No OpenGL context can be made on this display. Install the graphics driver, or Mesa's software renderer (Debian: libgl1-mesa-dri); on a remote desktop, start Fenestra there.</source>
+        <source>No OpenGL context can be made on this display. Install the graphics driver, or Mesa&apos;s software renderer (Debian: libgl1-mesa-dri); on a remote desktop, start Fenestra there.</source>
         <translation>Auf diesem Bildschirm kann kein OpenGL-Kontext entstehen. Installieren Sie den Grafiktreiber oder Mesas Software-Renderer (Debian: libgl1-mesa-dri); bei einem entfernten Desktop starten Sie Fenestra dort.</translation>
     </message>
     <message>
@@ -826,6 +846,10 @@
         <source>Cutaway</source>
         <translation>Freischnitt</translation>
     </message>
+    <message>
+        <source>Series</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Patient</name>
@@ -844,145 +868,75 @@
         <source>From the side of the body that the focus is nearer to, rather than through the body, where both show about as much</source>
         <translation>Von der Körperseite, der der Fokus näher liegt, statt durch den Körper hindurch, wo beide etwa gleich viel zeigen</translation>
     </message>
+</context>
+<context>
+    <name>PlaneMenu</name>
     <message>
-        <source>Depth</source>
-        <translation>Tiefe</translation>
+        <source>Slab of the %1 slice</source>
+        <translation>Schichtpaket der Schicht: %1</translation>
     </message>
     <message>
-        <source>How deep the focus lies; below 0 prefers views with little in front of it.
-vd1 = mean depth of the focus's pixels / diameter of the model's sphere</source>
-        <translation>Wie tief der Fokus liegt; unter 0 bevorzugt Ansichten mit wenig davor.
-vd1 = mittlere Tiefe der Pixel des Fokus / Durchmesser der Kugel um das Modell</translation>
+        <source>Thickness in mm, half of it to each side; 0 is the slice alone:</source>
+        <translation>Dicke in mm, je die Hälfte nach beiden Seiten; 0 ist die Schicht allein:</translation>
     </message>
     <message>
-        <source>Size</source>
-        <translation>Größe</translation>
+        <source>Off: the slice alone</source>
+        <translation>Aus: die Schicht allein</translation>
     </message>
     <message>
-        <source>How large the focus is in the picture.
-vd2 = pixels of the focus / pixels of the picture</source>
-        <translation>Wie groß der Fokus im Bild ist.
-vd2 = Pixel des Fokus / Pixel des Bilds</translation>
+        <source>%1 mm</source>
+        <translation>%L1 mm</translation>
     </message>
     <message>
-        <source>Centring</source>
-        <translation>Zentrierung</translation>
+        <source>Other: %1 mm…</source>
+        <translation>Andere: %1 mm…</translation>
     </message>
     <message>
-        <source>How near to the middle of the picture it is.
-vd3 = 1 − distance of its centroid from the middle / distance of a corner</source>
-        <translation>Wie nahe er der Bildmitte ist.
-vd3 = 1 − Abstand seines Schwerpunkts von der Mitte / Abstand einer Ecke</translation>
+        <source>Other…</source>
+        <translation>Andere…</translation>
     </message>
     <message>
-        <source>Cut ends</source>
-        <translation>Schnittenden</translation>
+        <source>Maximum (MIP)</source>
+        <translation>Maximum (MIP)</translation>
     </message>
     <message>
-        <source>Below 0 avoids looking at the focus through a face where the scan cuts the body off.
-Share of the focus's pixels whose rays enter the volume inside the body</source>
-        <translation>Unter 0 meidet Blicke auf den Fokus durch eine Fläche, an der die Aufnahme den Körper abschneidet.
-Anteil der Pixel des Fokus, deren Strahlen innerhalb des Körpers ins Volumen eintreten</translation>
+        <source>Minimum (MinIP)</source>
+        <translation>Minimum (MinIP)</translation>
     </message>
     <message>
-        <source>Evenness</source>
-        <translation>Gleichmaß</translation>
+        <source>Mean</source>
+        <translation>Mittel</translation>
     </message>
     <message>
-        <source>How much of its surface is seen.
-Viewpoint entropy −Σ p log p of the seen surface points, over its maximum (Bordoloi, Shen 2005)</source>
-        <translation>Wie viel seiner Oberfläche zu sehen ist.
-Blickpunktentropie −Σ p log p der sichtbaren Oberflächenpunkte, durch ihr Maximum (Bordoloi, Shen 2005)</translation>
+        <source>All slices as this one</source>
+        <translation>Alle Schichten wie diese</translation>
     </message>
     <message>
-        <source>Typical</source>
-        <translation>Typisch</translation>
+        <source>Slice faces C1</source>
+        <translation>Schicht zu C1 gewandt</translation>
     </message>
     <message>
-        <source>How typical the view is of all views.
-1 − Σ p(o|v) log(p(o|v) / p(o)) over its maximum (Viola et al. 2006)</source>
-        <translation>Wie typisch die Ansicht unter allen ist.
-1 − Σ p(o|v) log(p(o|v) / p(o)) durch ihr Maximum (Viola et al. 2006)</translation>
+        <source>Slice faces C2</source>
+        <translation>Schicht zu C2 gewandt</translation>
     </message>
     <message>
-        <source>Steady</source>
-        <translation>Stetig</translation>
+        <source>Slab</source>
+        <translation>Schichtpaket</translation>
     </message>
     <message>
-        <source>How little changes when the camera moves a bit.
-1 − Jensen–Shannon divergence to the eight nearest views</source>
-        <translation>Wie wenig sich ändert, wenn sich die Kamera etwas bewegt.
-1 − Jensen-Shannon-Divergenz zu den acht nächsten Ansichten</translation>
+        <source>Reset this slice&apos;s plane</source>
+        <translation>Ebene dieser Schicht zurücksetzen</translation>
     </message>
     <message>
-        <source>Standard view</source>
-        <translation>Standardansicht</translation>
+        <source>Reset all planes</source>
+        <translation>Alle Ebenen zurücksetzen</translation>
     </message>
+</context>
+<context>
+    <name>PlaneTool</name>
     <message>
-        <source>How near the view is to anterior, left, superior …: a little decides between equally good views.
-Cosine of the angle to the nearest of the six</source>
-        <translation>Wie nahe die Ansicht anterior, links, superior … ist: ein wenig davon entscheidet zwischen gleich guten Ansichten.
-Kosinus des Winkels zur nächsten der sechs</translation>
-    </message>
-    <message>
-        <source>Not through cut ends</source>
-        <translation>Nicht durch Schnittenden</translation>
-    </message>
-    <message>
-        <source>No view within 45° of an end of the scan where the body goes on, while another one shows at least two thirds as much of the focus</source>
-        <translation>Keine Ansicht innerhalb von 45° um ein Ende der Aufnahme, wo der Körper weitergeht, solange eine andere mindestens zwei Drittel so viel vom Fokus zeigt</translation>
-    </message>
-    <message>
-        <source>From around before from above</source>
-        <translation>Von ringsum vor von oben</translation>
-    </message>
-    <message>
-        <source>From the front, from behind, the left or the right rather than from above or below, where both show about as much</source>
-        <translation>Von vorn, hinten, links oder rechts statt von oben oder unten, wo beide etwa gleich viel zeigen</translation>
-    </message>
-    <message>
-        <source>Thin stacks from the front</source>
-        <translation>Dünne Stapel von vorn</translation>
-    </message>
-    <message>
-        <source>A stack of a few slices, or one much thinner than wide, is seen from the side from which its slices are shown, not edge-on</source>
-        <translation>Ein Stapel weniger Schichten, oder einer viel dünner als breit, wird von der Seite gesehen, von der seine Schichten gezeigt werden, nicht von der Kante</translation>
-    </message>
-    <message>
-        <source>From the near side</source>
-        <translation>Von der näheren Seite</translation>
-    </message>
-    <message>
-        <source>Usual side</source>
-        <translation>Übliche Seite</translation>
-    </message>
-    <message>
-        <source>How usual the view is: from the front rather than from the side, from behind, from above or below</source>
-        <translation>Wie üblich die Ansicht ist: eher von vorn als von der Seite, von hinten, von oben oder unten</translation>
-    </message>
-    <message>
-        <source>Last view</source>
-        <translation>Letzte Ansicht</translation>
-    </message>
-    <message>
-        <source>How near the view is to the present one, so that it does not jump</source>
-        <translation>Wie nahe die Ansicht der jetzigen ist, damit sie nicht springt</translation>
-    </message>
-    <message>
-        <source>Shape</source>
-        <translation>Form</translation>
-    </message>
-    <message>
-        <source>How well the view shows the structure's shape around the point: onto what is flat, across what is long</source>
-        <translation>Wie gut die Ansicht die Form der Struktur um den Punkt zeigt: auf Flaches, quer zu Langem</translation>
-    </message>
-    <message>
-        <source>Unhidden</source>
-        <translation>Unverdeckt</translation>
-    </message>
-    <message>
-        <source>How little hides the structure around the point, before anything is cut away</source>
-        <translation>Wie wenig die Struktur um den Punkt verdeckt, bevor etwas weggeschnitten ist</translation>
+        <source>%1°</source>
+        <translation>%L1°</translation>
     </message>
 </context>
 <context>
@@ -1060,6 +1014,72 @@ Kosinus des Winkels zur nächsten der sechs</translation>
     <message>
         <source>There is not enough memory for this picture. Close other programs, or open a smaller volume.</source>
         <translation>Für dieses Bild fehlt Speicher. Schließen Sie andere Programme, oder öffnen Sie ein kleineres Volumen.</translation>
+    </message>
+</context>
+<context>
+    <name>Series</name>
+    <message>
+        <source>%1 mm</source>
+        <translation type="unfinished">%L1 mm</translation>
+    </message>
+    <message>
+        <source>every %1</source>
+        <translation type="unfinished">alle %1</translation>
+    </message>
+    <message>
+        <source>%1, every %2</source>
+        <translation type="unfinished">%1, alle %2</translation>
+    </message>
+    <message>
+        <source>time point %1 of %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Series without a name</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Series %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Study %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>ServerEntry</name>
+    <message>
+        <source>The server&apos;s AE title has 1 to 16 letters and digits; its administrator knows it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Our AE title has 1 to 16 letters and digits; the server must know it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The host is a name or an address, such as pacs.hospital or 192.168.1.5.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>C-MOVE needs a port of ours that is entered at the server.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>TLS needs the file of the certificates that may sign the server&apos;s, in PEM.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Our certificate needs its key, and the key its certificate.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The address is that of DICOMweb&apos;s root, such as https://pacs.hospital/dicom-web.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A login with a password needs the user&apos;s name.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -1161,7 +1181,7 @@ Kosinus des Winkels zur nächsten der sechs</translation>
         <translation>Linse behält</translation>
     </message>
     <message>
-        <source>What stays within ClearView's lens of what hides the focus, beside its bends</source>
+        <source>What stays within ClearView&apos;s lens of what hides the focus, beside its bends</source>
         <translation>Was in ClearViews Linse vom Verdeckenden bleibt, neben seinen Biegungen</translation>
     </message>
     <message>
@@ -1169,7 +1189,7 @@ Kosinus des Winkels zur nächsten der sechs</translation>
         <translation>Linse über</translation>
     </message>
     <message>
-        <source>What ClearView's lens lies over, as you see it</source>
+        <source>What ClearView&apos;s lens lies over, as you see it</source>
         <translation>Worüber ClearViews Linse liegt, wie Sie es sehen</translation>
     </message>
     <message>
@@ -1177,7 +1197,7 @@ Kosinus des Winkels zur nächsten der sechs</translation>
         <translation>Linse</translation>
     </message>
     <message>
-        <source>Radius of ClearView's lens, as a share of the volume's longest side; its authors use 18.2</source>
+        <source>Radius of ClearView&apos;s lens, as a share of the volume&apos;s longest side; its authors use 18.2</source>
         <translation>Radius von ClearViews Linse als Anteil der längsten Seite des Volumens; ihre Autoren nehmen 18,2</translation>
     </message>
     <message>
@@ -1185,7 +1205,7 @@ Kosinus des Winkels zur nächsten der sechs</translation>
         <translation>Biegungen bleiben</translation>
     </message>
     <message>
-        <source>How much of the bends of what hides the focus stays within ClearView's lens; 0 keeps none</source>
+        <source>How much of the bends of what hides the focus stays within ClearView&apos;s lens; 0 keeps none</source>
         <translation>Wie viel von den Biegungen des Verdeckenden in ClearViews Linse bleibt; 0 behält nichts</translation>
     </message>
     <message>
@@ -1193,7 +1213,7 @@ Kosinus des Winkels zur nächsten der sechs</translation>
         <translation>Rand der Linse</translation>
     </message>
     <message>
-        <source>How thin the dark line around ClearView's lens is: more is thinner</source>
+        <source>How thin the dark line around ClearView&apos;s lens is: more is thinner</source>
         <translation>Wie dünn die dunkle Linie um ClearViews Linse ist: mehr ist dünner</translation>
     </message>
     <message>
@@ -1217,7 +1237,7 @@ Kosinus des Winkels zur nächsten der sechs</translation>
         <translation>Zum Rand hin</translation>
     </message>
     <message>
-        <source>The nearer to the lens's rim, the more of what hides the focus</source>
+        <source>The nearer to the lens&apos;s rim, the more of what hides the focus</source>
         <translation>Je näher am Rand der Linse, desto mehr vom Verdeckenden</translation>
     </message>
     <message>
@@ -1241,11 +1261,11 @@ Kosinus des Winkels zur nächsten der sechs</translation>
         <translation>Kegelschnitt</translation>
     </message>
     <message>
-        <source>Cone's angle</source>
+        <source>Cone&apos;s angle</source>
         <translation>Kegelwinkel</translation>
     </message>
     <message>
-        <source>Angle between the axis and the wall of the cone cutaway's cones: more opens wider</source>
+        <source>Angle between the axis and the wall of the cone cutaway&apos;s cones: more opens wider</source>
         <translation>Winkel zwischen Achse und Wand der Kegel: mehr öffnet weiter</translation>
     </message>
     <message>
@@ -1293,7 +1313,7 @@ Kosinus des Winkels zur nächsten der sechs</translation>
         <translation>Schnitt entlang</translation>
     </message>
     <message>
-        <source>Whether the planes of an exploded view lie along the patient's axes or the view's</source>
+        <source>Whether the planes of an exploded view lie along the patient&apos;s axes or the view&apos;s</source>
         <translation>Ob die Ebenen entlang der Achsen des Patienten oder der Ansicht liegen</translation>
     </message>
     <message>
@@ -1325,7 +1345,7 @@ Kosinus des Winkels zur nächsten der sechs</translation>
         <translation>Patient</translation>
     </message>
     <message>
-        <source>Planes along the patient's axes: left and right are the patient's</source>
+        <source>Planes along the patient&apos;s axes: left and right are the patient&apos;s</source>
         <translation>Ebenen entlang der Achsen des Patienten: links und rechts sind die des Patienten</translation>
     </message>
     <message>
@@ -1333,7 +1353,7 @@ Kosinus des Winkels zur nächsten der sechs</translation>
         <translation>Ansicht</translation>
     </message>
     <message>
-        <source>Planes along the picture's axes, which turn with the camera</source>
+        <source>Planes along the picture&apos;s axes, which turn with the camera</source>
         <translation>Ebenen entlang der Achsen des Bilds, die mit der Kamera drehen</translation>
     </message>
     <message>
@@ -1353,7 +1373,7 @@ Kosinus des Winkels zur nächsten der sechs</translation>
         <translation>Größe der Region</translation>
     </message>
     <message>
-        <source>Radius of the focal region's sphere, half the side of its box, or its distance from the focus</source>
+        <source>Radius of the focal region&apos;s sphere, half the side of its box, or its distance from the focus</source>
         <translation>Radius der Kugel, halbe Seite des Quaders, oder Abstand vom Fokus</translation>
     </message>
     <message>
@@ -1381,7 +1401,7 @@ Kosinus des Winkels zur nächsten der sechs</translation>
         <translation>Quader</translation>
     </message>
     <message>
-        <source>A cube along the patient's axes, around the middle of the focus</source>
+        <source>A cube along the patient&apos;s axes, around the middle of the focus</source>
         <translation>Ein Würfel entlang der Achsen des Patienten um die Mitte des Fokus</translation>
     </message>
     <message>
@@ -1409,7 +1429,7 @@ Kosinus des Winkels zur nächsten der sechs</translation>
         <translation>Aufweitung</translation>
     </message>
     <message>
-        <source>Angle at which the importance-driven opening widens from the focus's outline towards the eye</source>
+        <source>Angle at which the importance-driven opening widens from the focus&apos;s outline towards the eye</source>
         <translation>Winkel, mit dem sich die Öffnung vom Umriss des Fokus zum Auge hin weitet</translation>
     </message>
     <message>
@@ -1433,7 +1453,7 @@ Kosinus des Winkels zur nächsten der sechs</translation>
         <translation>Entfernt</translation>
     </message>
     <message>
-        <source>What hides the focus is removed, in a cone that widens from the focus's outline towards you (maximum importance projection)</source>
+        <source>What hides the focus is removed, in a cone that widens from the focus&apos;s outline towards you (maximum importance projection)</source>
         <translation>Das Verdeckende wird entfernt, in einem Kegel, der sich vom Umriss des Fokus zu Ihnen weitet (Maximum Importance Projection)</translation>
     </message>
     <message>
@@ -1457,7 +1477,7 @@ Kosinus des Winkels zur nächsten der sechs</translation>
         <translation>Grau</translation>
     </message>
     <message>
-        <source>Less opaque, and grey, so that the colours are the focus's alone</source>
+        <source>Less opaque, and grey, so that the colours are the focus&apos;s alone</source>
         <translation>Weniger deckend und grau, sodass nur der Fokus Farben hat</translation>
     </message>
     <message>
@@ -1537,7 +1557,7 @@ Kosinus des Winkels zur nächsten der sechs</translation>
         <translation>Vorn</translation>
     </message>
     <message>
-        <source>The patient's anterior side</source>
+        <source>The patient&apos;s anterior side</source>
         <translation>Die anteriore Seite des Patienten</translation>
     </message>
     <message>
@@ -1545,7 +1565,7 @@ Kosinus des Winkels zur nächsten der sechs</translation>
         <translation>Hinten</translation>
     </message>
     <message>
-        <source>The patient's posterior side</source>
+        <source>The patient&apos;s posterior side</source>
         <translation>Die posteriore Seite des Patienten</translation>
     </message>
     <message>
@@ -1553,7 +1573,7 @@ Kosinus des Winkels zur nächsten der sechs</translation>
         <translation>Links</translation>
     </message>
     <message>
-        <source>The patient's left side</source>
+        <source>The patient&apos;s left side</source>
         <translation>Die linke Seite des Patienten</translation>
     </message>
     <message>
@@ -1561,7 +1581,7 @@ Kosinus des Winkels zur nächsten der sechs</translation>
         <translation>Rechts</translation>
     </message>
     <message>
-        <source>The patient's right side</source>
+        <source>The patient&apos;s right side</source>
         <translation>Die rechte Seite des Patienten</translation>
     </message>
     <message>
@@ -1569,7 +1589,7 @@ Kosinus des Winkels zur nächsten der sechs</translation>
         <translation>Oben</translation>
     </message>
     <message>
-        <source>The patient's superior side</source>
+        <source>The patient&apos;s superior side</source>
         <translation>Die superiore Seite des Patienten</translation>
     </message>
     <message>
@@ -1577,7 +1597,7 @@ Kosinus des Winkels zur nächsten der sechs</translation>
         <translation>Unten</translation>
     </message>
     <message>
-        <source>The patient's inferior side</source>
+        <source>The patient&apos;s inferior side</source>
         <translation>Die inferiore Seite des Patienten</translation>
     </message>
     <message>
@@ -1649,7 +1669,7 @@ Kosinus des Winkels zur nächsten der sechs</translation>
         <translation>Ob die koronale Schicht am Fadenkreuz eine Wand ist</translation>
     </message>
     <message>
-        <source>Whether the labels' outlines are drawn on the walls</source>
+        <source>Whether the labels&apos; outlines are drawn on the walls</source>
         <translation>Ob die Umrisse der Labels auf den Wänden gezeichnet werden</translation>
     </message>
     <message>
@@ -1725,7 +1745,7 @@ Kosinus des Winkels zur nächsten der sechs</translation>
         <translation>Abschwächen</translation>
     </message>
     <message>
-        <source>Shows less of the context's edges over the focus</source>
+        <source>Shows less of the context&apos;s edges over the focus</source>
         <translation>Zeigt über dem Fokus weniger von den Kanten des Kontexts</translation>
     </message>
     <message>
@@ -1733,7 +1753,7 @@ Kosinus des Winkels zur nächsten der sechs</translation>
         <translation>Verstärken</translation>
     </message>
     <message>
-        <source>Shows more of the context's edges over the focus</source>
+        <source>Shows more of the context&apos;s edges over the focus</source>
         <translation>Zeigt über dem Fokus mehr von den Kanten des Kontexts</translation>
     </message>
     <message>
@@ -1821,7 +1841,7 @@ Kosinus des Winkels zur nächsten der sechs</translation>
         <translation>Eine Farbe</translation>
     </message>
     <message>
-        <source>The background's colour everywhere</source>
+        <source>The background&apos;s colour everywhere</source>
         <translation>Überall die Farbe des Hintergrunds</translation>
     </message>
     <message>
@@ -1829,7 +1849,7 @@ Kosinus des Winkels zur nächsten der sechs</translation>
         <translation>Verlauf</translation>
     </message>
     <message>
-        <source>From the background's colour at the bottom to another at the top</source>
+        <source>From the background&apos;s colour at the bottom to another at the top</source>
         <translation>Von der Farbe des Hintergrunds unten zu einer anderen oben</translation>
     </message>
     <message>
@@ -1937,7 +1957,7 @@ Kosinus des Winkels zur nächsten der sechs</translation>
         <translation>Achsneigung</translation>
     </message>
     <message>
-        <source>Angle between the opening's axis and the line of sight, so that its depth shows</source>
+        <source>Angle between the opening&apos;s axis and the line of sight, so that its depth shows</source>
         <translation>Winkel zwischen der Achse der Öffnung und der Blickrichtung, damit ihre Tiefe zu sehen ist</translation>
     </message>
     <message>
@@ -1945,7 +1965,7 @@ Kosinus des Winkels zur nächsten der sechs</translation>
         <translation>Richtung</translation>
     </message>
     <message>
-        <source>To which side of the picture the opening's axis leans: 0 is the right, 90 the top</source>
+        <source>To which side of the picture the opening&apos;s axis leans: 0 is the right, 90 the top</source>
         <translation>Zu welcher Seite des Bilds die Achse der Öffnung sich neigt: 0 ist rechts, 90 oben</translation>
     </message>
     <message>
@@ -1961,7 +1981,7 @@ Kosinus des Winkels zur nächsten der sechs</translation>
         <translation>Krümmung</translation>
     </message>
     <message>
-        <source>How much bends of the context's surface count as edges: eyes, nose, ears</source>
+        <source>How much bends of the context&apos;s surface count as edges: eyes, nose, ears</source>
         <translation>Wie sehr Biegungen der Oberfläche des Kontexts als Kanten zählen: Augen, Nase, Ohren</translation>
     </message>
     <message>
@@ -1969,7 +1989,7 @@ Kosinus des Winkels zur nächsten der sechs</translation>
         <translation>Silhouette</translation>
     </message>
     <message>
-        <source>How much the context's outlines, where its surface is seen edge-on, count as edges</source>
+        <source>How much the context&apos;s outlines, where its surface is seen edge-on, count as edges</source>
         <translation>Wie sehr die Umrisse des Kontexts, wo seine Oberfläche von der Kante gesehen wird, als Kanten zählen</translation>
     </message>
     <message>
@@ -1977,7 +1997,7 @@ Kosinus des Winkels zur nächsten der sechs</translation>
         <translation>Beleuchtung</translation>
     </message>
     <message>
-        <source>How much the light on the context's surface shades its edges; 0 draws them flat</source>
+        <source>How much the light on the context&apos;s surface shades its edges; 0 draws them flat</source>
         <translation>Wie sehr das Licht auf der Oberfläche des Kontexts seine Kanten schattiert; 0 zeichnet sie flach</translation>
     </message>
     <message>
@@ -1985,7 +2005,7 @@ Kosinus des Winkels zur nächsten der sechs</translation>
         <translation>Eigenfarbe</translation>
     </message>
     <message>
-        <source>How much the edges take the context's own colour</source>
+        <source>How much the edges take the context&apos;s own colour</source>
         <translation>Wie sehr die Kanten die eigene Farbe des Kontexts annehmen</translation>
     </message>
     <message>
@@ -1993,7 +2013,7 @@ Kosinus des Winkels zur nächsten der sechs</translation>
         <translation>Sättigung</translation>
     </message>
     <message>
-        <source>How saturated the context's own colour is in its edges</source>
+        <source>How saturated the context&apos;s own colour is in its edges</source>
         <translation>Wie gesättigt die eigene Farbe des Kontexts in seinen Kanten ist</translation>
     </message>
     <message>
@@ -2009,7 +2029,7 @@ Kosinus des Winkels zur nächsten der sechs</translation>
         <translation>Farbe</translation>
     </message>
     <message>
-        <source>Colour of the context's edges</source>
+        <source>Colour of the context&apos;s edges</source>
         <translation>Farbe der Kanten des Kontexts</translation>
     </message>
     <message>
@@ -2149,7 +2169,7 @@ Kosinus des Winkels zur nächsten der sechs</translation>
         <translation>Tisch ausblenden</translation>
     </message>
     <message>
-        <source>Whether 3-D pictures of a CT leave out the scanner's table, head rest and cushions</source>
+        <source>Whether 3-D pictures of a CT leave out the scanner&apos;s table, head rest and cushions</source>
         <translation>Ob 3-D-Bilder eines CT Tisch, Kopfstütze und Polster des Scanners weglassen</translation>
     </message>
     <message>
@@ -2213,7 +2233,7 @@ Kosinus des Winkels zur nächsten der sechs</translation>
         <translation>Menge</translation>
     </message>
     <message>
-        <source>How much of the context's edges Fade takes or Strengthen adds</source>
+        <source>How much of the context&apos;s edges Fade takes or Strengthen adds</source>
         <translation>Wie viel Abschwächen von den Kanten des Kontexts nimmt oder Verstärken hinzufügt</translation>
     </message>
     <message>
@@ -2221,7 +2241,7 @@ Kosinus des Winkels zur nächsten der sechs</translation>
         <translation>Bis zur Oberfläche</translation>
     </message>
     <message>
-        <source>Whether Restore reaches to the context's first surface, however deep that lies</source>
+        <source>Whether Restore reaches to the context&apos;s first surface, however deep that lies</source>
         <translation>Ob Wiederherstellen bis zur ersten Oberfläche des Kontexts reicht, wie tief sie auch liegt</translation>
     </message>
     <message>
@@ -2253,7 +2273,7 @@ Kosinus des Winkels zur nächsten der sechs</translation>
         <translation>Nur Schnitt</translation>
     </message>
     <message>
-        <source>Context's edges</source>
+        <source>Context&apos;s edges</source>
         <translation>Kanten des Kontexts</translation>
     </message>
     <message>
@@ -2457,7 +2477,7 @@ Kosinus des Winkels zur nächsten der sechs</translation>
         <translation>Nichts öffnet sich von selbst: eine Ebene, die Sie durch einen Strich legen und durch Ziehen biegen, entfernt eine Seite (Konrad-Verse, Preim und Littmann 2004)</translation>
     </message>
     <message>
-        <source>A lens over the focus through which it shows, while what hides it fades towards the lens's middle and stays where it bends (Krüger, Schneider and Westermann 2006)</source>
+        <source>A lens over the focus through which it shows, while what hides it fades towards the lens&apos;s middle and stays where it bends (Krüger, Schneider and Westermann 2006)</source>
         <translation>Eine Linse über dem Fokus, durch die er zu sehen ist, während das Verdeckende zur Linsenmitte hin verblasst und bleibt, wo es sich biegt (Krüger, Schneider und Westermann 2006)</translation>
     </message>
     <message>
@@ -2541,28 +2561,12 @@ Kosinus des Winkels zur nächsten der sechs</translation>
         <translation>Gleichmäßiges Licht, in dem Farben unterscheidbar bleiben</translation>
     </message>
     <message>
-        <source>Brain</source>
-        <translation>Gehirn</translation>
-    </message>
-    <message>
-        <source>Abdomen</source>
-        <translation>Abdomen</translation>
-    </message>
-    <message>
-        <source>Mediastinum</source>
-        <translation>Mediastinum</translation>
-    </message>
-    <message>
-        <source>Lung</source>
-        <translation>Lunge</translation>
-    </message>
-    <message>
         <source>As the desktop</source>
         <translation>Wie der Desktop</translation>
     </message>
     <message>
         <source>How deep the focus lies; below 0 prefers views with little in front of it.
-vd1 = mean depth of the focus's pixels / diameter of the model's sphere</source>
+vd1 = mean depth of the focus&apos;s pixels / diameter of the model&apos;s sphere</source>
         <translation>Wie tief der Fokus liegt; unter 0 bevorzugt Ansichten mit wenig davor.
 vd1 = mittlere Tiefe der Pixel des Fokus / Durchmesser der Kugel um das Modell</translation>
     </message>
@@ -2592,7 +2596,7 @@ vd3 = 1 − Abstand seines Schwerpunkts von der Mitte / Abstand einer Ecke</tran
     </message>
     <message>
         <source>Below 0 avoids looking at the focus through a face where the scan cuts the body off.
-Share of the focus's pixels whose rays enter the volume inside the body</source>
+Share of the focus&apos;s pixels whose rays enter the volume inside the body</source>
         <translation>Unter 0 meidet Blicke auf den Fokus durch eine Fläche, an der die Aufnahme den Körper abschneidet.
 Anteil der Pixel des Fokus, deren Strahlen innerhalb des Körpers ins Volumen eintreten</translation>
     </message>
@@ -2669,7 +2673,7 @@ Kosinus des Winkels zur nächsten der sechs</translation>
         <translation>Sprache (beim nächsten Start)</translation>
     </message>
     <message>
-        <source>Language of the window's texts and numbers; it changes when Fenestra starts again</source>
+        <source>Language of the window&apos;s texts and numbers; it changes when Fenestra starts again</source>
         <translation>Sprache der Texte und Zahlen des Fensters; sie wechselt, wenn Fenestra neu startet</translation>
     </message>
     <message>
@@ -2693,7 +2697,7 @@ Kosinus des Winkels zur nächsten der sechs</translation>
         <translation>Form</translation>
     </message>
     <message>
-        <source>How well the view shows the structure's shape around the point: onto what is flat, across what is long</source>
+        <source>How well the view shows the structure&apos;s shape around the point: onto what is flat, across what is long</source>
         <translation>Wie gut die Ansicht die Form der Struktur um den Punkt zeigt: auf Flaches, quer zu Langem</translation>
     </message>
     <message>
@@ -2709,8 +2713,47 @@ Kosinus des Winkels zur nächsten der sechs</translation>
         <translation>Neurologische Konvention</translation>
     </message>
     <message>
-        <source>Axial and coronal slices show the patient's left on the left; otherwise it is on the right, as radiologists have it</source>
+        <source>Axial and coronal slices show the patient&apos;s left on the left; otherwise it is on the right, as radiologists have it</source>
         <translation>Axiale und koronale Schichten zeigen die linke Seite des Patienten links; sonst rechts, wie in der Radiologie üblich</translation>
+    </message>
+    <message>
+        <source>Objects of archives, at most</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Disk space for what was retrieved from archive servers: the series used longest ago go first</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>GB</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>de-identifying</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>listing files</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>Slab</name>
+    <message>
+        <source>MIP</source>
+        <translation>MIP</translation>
+    </message>
+    <message>
+        <source>MinIP</source>
+        <translation>MinIP</translation>
+    </message>
+    <message>
+        <source>Mean</source>
+        <translation>Mittel</translation>
+    </message>
+    <message>
+        <source>%1 %2 mm</source>
+        <translation>%1 %L2 mm</translation>
     </message>
 </context>
 <context>
@@ -2746,6 +2789,37 @@ Kosinus des Winkels zur nächsten der sechs</translation>
     <message>
         <source>No focus</source>
         <translation>Kein Fokus</translation>
+    </message>
+</context>
+<context>
+    <name>ViewArea</name>
+    <message>
+        <source>&amp;Five views</source>
+        <translation>&amp;Fünf Ansichten</translation>
+    </message>
+    <message>
+        <source>C&amp;1 and C2</source>
+        <translation>C&amp;1 und C2</translation>
+    </message>
+    <message>
+        <source>&amp;3-D large, three slices</source>
+        <translation>&amp;3-D groß, drei Schichten</translation>
+    </message>
+    <message>
+        <source>&amp;Slices alone</source>
+        <translation>&amp;Nur Schichten</translation>
+    </message>
+    <message>
+        <source>&amp;Axial large</source>
+        <translation>&amp;Axial groß</translation>
+    </message>
+    <message>
+        <source>F&amp;our: C1 and slices</source>
+        <translation>&amp;Vier: C1 und Schichten</translation>
+    </message>
+    <message>
+        <source>C1 &amp;beside axial</source>
+        <translation>&amp;C1 neben axial</translation>
     </message>
 </context>
 <context>
@@ -2791,7 +2865,7 @@ Kosinus des Winkels zur nächsten der sechs</translation>
         <translation>DICOM, NIfTI, NRRD, MetaImage, MGH, Analyze und TIFF werden am Inhalt erkannt</translation>
     </message>
     <message>
-        <source>"Hide the table" in the panel Context brings it back</source>
+        <source>&quot;Hide the table&quot; in the panel Context brings it back</source>
         <translation>„Tisch ausblenden“ im Panel Kontext bringt ihn zurück</translation>
     </message>
     <message>
@@ -3330,7 +3404,7 @@ Kosinus des Winkels zur nächsten der sechs</translation>
         <translation>&amp;Qualität in Ruhe</translation>
     </message>
     <message>
-        <source>Bound on the error that sampling leaves in a pixel's colour</source>
+        <source>Bound on the error that sampling leaves in a pixel&apos;s colour</source>
         <translation>Schranke für den Fehler, den die Abtastung in der Farbe eines Pixels lässt</translation>
     </message>
     <message>
@@ -3434,10 +3508,6 @@ Kosinus des Winkels zur nächsten der sechs</translation>
         <translation>Name</translation>
     </message>
     <message>
-        <source>S&amp;lices</source>
-        <translation>&amp;Schichten</translation>
-    </message>
-    <message>
         <source>Flip &amp;left and right</source>
         <translation>&amp;Links und rechts spiegeln</translation>
     </message>
@@ -3492,7 +3562,9 @@ Kosinus des Winkels zur nächsten der sechs</translation>
     <message numerus="yes">
         <source>%n slices a second</source>
         <translation>
-            <numerusform>%n Schicht je Sekunde</numerusform><numerusform>%n Schichten je Sekunde</numerusform></translation>
+            <numerusform>%n Schicht je Sekunde</numerusform>
+            <numerusform>%n Schichten je Sekunde</numerusform>
+        </translation>
     </message>
     <message>
         <source>Play &amp;faster</source>
@@ -3602,6 +3674,26 @@ Kosinus des Winkels zur nächsten der sechs</translation>
         <source>Bright structures</source>
         <translation>Helle Strukturen</translation>
     </message>
+    <message>
+        <source>Send to archi&amp;ve…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The open series and its labels, to a server of the panel Archive</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>They are kept in</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>V</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shift+V</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>fenestra::viewer::AppearancePanel</name>
@@ -3620,6 +3712,179 @@ Kosinus des Winkels zur nächsten der sechs</translation>
     <message>
         <source>own</source>
         <translation>eigene</translation>
+    </message>
+</context>
+<context>
+    <name>fenestra::viewer::ArchiveDock</name>
+    <message>
+        <source>Archive</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>fenestra::viewer::ArchiveModel</name>
+    <message>
+        <source>Patient %1</source>
+        <translation type="unfinished">Patient %1</translation>
+    </message>
+    <message>
+        <source>No name</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Study %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Series %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Born %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sex %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Accession number %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Study ID %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Part of the body: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Protocol: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Patient, study</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Date</source>
+        <translation type="unfinished">Datum</translation>
+    </message>
+    <message>
+        <source>Type</source>
+        <translation type="unfinished">Typ</translation>
+    </message>
+    <message>
+        <source>Images</source>
+        <translation type="unfinished">Bilder</translation>
+    </message>
+</context>
+<context>
+    <name>fenestra::viewer::ArchivePanel</name>
+    <message>
+        <source>No server is entered, so nothing goes over the network. Add the archive server (PACS) that holds your studies; its administrator knows what to enter.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Searching…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cancelled.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The archive server that is asked</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Test</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Asks the server whether it answers (echo), and says what is wrong</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Servers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Add, edit and remove servers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Add a server…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Edit…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation type="unfinished">Entfernen</translation>
+    </message>
+    <message>
+        <source>Remove the server</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Remove %1?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Images</source>
+        <translation type="unfinished">Bilder</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation type="unfinished">Öffnen</translation>
+    </message>
+    <message>
+        <source>Retrieves the study or series, and opens it once it is whole (double-click, or drag onto a view)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Retrieve</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fetches what is selected into the cache, to be opened later</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>More…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Asks for more of the studies that match</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Asking %1…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 answers, in %2 ms.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing matches. Check the spelling; an asterisk stands for any text, as in *jane*.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Studies: %1, of patients: %2.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There are more: narrow the search, or ask for more.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The server does not match by some of the fields.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -3660,7 +3925,7 @@ Kosinus des Winkels zur nächsten der sechs</translation>
         <translation>Bereits bis zum Fokus geöffnet</translation>
     </message>
     <message>
-        <source>The context's edges are switched off</source>
+        <source>The context&apos;s edges are switched off</source>
         <translation>Die Kanten des Kontexts sind ausgeschaltet</translation>
     </message>
     <message>
@@ -3700,7 +3965,7 @@ Kosinus des Winkels zur nächsten der sechs</translation>
         <translation>Methode</translation>
     </message>
     <message>
-        <source>Context's edges</source>
+        <source>Context&apos;s edges</source>
         <translation>Kanten des Kontexts</translation>
     </message>
     <message>
@@ -3776,6 +4041,45 @@ Kosinus des Winkels zur nächsten der sechs</translation>
     </message>
 </context>
 <context>
+    <name>fenestra::viewer::CacheRow</name>
+    <message>
+        <source>Move…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Chooses where objects are kept from now on; those of before stay where they are</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keep objects of archives in</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Clear</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Removes all objects that were retrieved; not while some come in</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Remove all objects that were retrieved? The servers still have them, but sessions that refer to them find their data no more.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Clears…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Counts…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 in %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>fenestra::viewer::CamerasPanel</name>
     <message>
         <source>Place cameras</source>
@@ -3790,7 +4094,7 @@ Kosinus des Winkels zur nächsten der sechs</translation>
         <translation>Sucht die beste Ansicht des Fokus und die, die sie ergänzt (F5)</translation>
     </message>
     <message>
-        <source>The two views see &lt;b&gt;%1 %&lt;/b&gt; of the focus's surface</source>
+        <source>The two views see &lt;b&gt;%1 %&lt;/b&gt; of the focus&apos;s surface</source>
         <translation>Beide Ansichten sehen &lt;b&gt;%1 %&lt;/b&gt; der Oberfläche des Fokus</translation>
     </message>
     <message>
@@ -3895,11 +4199,11 @@ Kosinus des Winkels zur nächsten der sechs</translation>
         <translation>I – S</translation>
     </message>
     <message>
-        <source>The patient's right end of the box</source>
+        <source>The patient&apos;s right end of the box</source>
         <translation>Rechtes Ende des Quaders (vom Patienten aus)</translation>
     </message>
     <message>
-        <source>The patient's left end of the box</source>
+        <source>The patient&apos;s left end of the box</source>
         <translation>Linkes Ende des Quaders (vom Patienten aus)</translation>
     </message>
     <message>
@@ -3919,7 +4223,7 @@ Kosinus des Winkels zur nächsten der sechs</translation>
         <translation>Oberes Ende des Quaders</translation>
     </message>
     <message>
-        <source>Drag a plane's square to move it, and the ball at its arrow to tilt it, in any view</source>
+        <source>Drag a plane&apos;s square to move it, and the ball at its arrow to tilt it, in any view</source>
         <translation>Das Quadrat einer Ebene verschiebt sie, die Kugel an ihrem Pfeil kippt sie, in jeder Ansicht</translation>
     </message>
     <message>
@@ -3943,7 +4247,7 @@ Kosinus des Winkels zur nächsten der sechs</translation>
         <translation>Zur Kamera C1 gewandt</translation>
     </message>
     <message>
-        <source>3-D pictures show only the inside of a box along the volume's axes</source>
+        <source>3-D pictures show only the inside of a box along the volume&apos;s axes</source>
         <translation>3-D-Bilder zeigen nur das Innere eines Quaders entlang der Achsen des Volumens</translation>
     </message>
     <message>
@@ -4025,7 +4329,7 @@ Kosinus des Winkels zur nächsten der sechs</translation>
         <translation>Aussehen</translation>
     </message>
     <message>
-        <source>Smooth edges, by several rays a pixel, are the adaptive cutaway's alone</source>
+        <source>Smooth edges, by several rays a pixel, are the adaptive cutaway&apos;s alone</source>
         <translation>Glatte Kanten, mit mehreren Strahlen je Pixel, hat nur der adaptive Freischnitt</translation>
     </message>
     <message>
@@ -4047,6 +4351,17 @@ Kosinus des Winkels zur nächsten der sechs</translation>
     <message>
         <source>This method has no line: it cuts nothing away</source>
         <translation>Diese Methode hat keine Linie: sie schneidet nichts weg</translation>
+    </message>
+</context>
+<context>
+    <name>fenestra::viewer::DockFolding</name>
+    <message>
+        <source>Fold %1</source>
+        <translation>%1 einklappen</translation>
+    </message>
+    <message>
+        <source>Folds this panel to its title, so that those above have more room</source>
+        <translation>Klappt dieses Panel auf seinen Titel ein, damit die darüber mehr Platz haben</translation>
     </message>
 </context>
 <context>
@@ -4289,6 +4604,132 @@ Kosinus des Winkels zur nächsten der sechs</translation>
     </message>
 </context>
 <context>
+    <name>fenestra::viewer::KeyBindings</name>
+    <message>
+        <source>It is not JSON, from character %1 on: %2.</source>
+        <translation>Es ist kein JSON, ab Zeichen %1: %2.</translation>
+    </message>
+    <message>
+        <source>It does not hold Fenestra&apos;s keys: choose a file that Export in this dialog wrote.</source>
+        <translation>Sie enthält nicht Fenestras Tasten: wählen Sie eine Datei, die Exportieren in diesem Dialog geschrieben hat.</translation>
+    </message>
+    <message>
+        <source>It was written by a newer version of Fenestra.</source>
+        <translation>Eine neuere Version von Fenestra hat sie geschrieben.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot;, of &quot;%2&quot;, is no key.</source>
+        <translation>„%1“, von „%2“, ist keine Taste.</translation>
+    </message>
+    <message>
+        <source>%1, of &quot;%2&quot;, is a key of the views.</source>
+        <translation>%1, von „%2“, ist eine Taste der Ansichten.</translation>
+    </message>
+    <message>
+        <source>%1 is the key of both &quot;%2&quot; and &quot;%3&quot;.</source>
+        <translation>%1 ist die Taste von „%2“ und von „%3“.</translation>
+    </message>
+</context>
+<context>
+    <name>fenestra::viewer::KeysDialog</name>
+    <message>
+        <source>Change keys</source>
+        <translation>Tasten ändern</translation>
+    </message>
+    <message>
+        <source>Show entries with these words or keys</source>
+        <translation>Einträge mit diesen Wörtern oder Tasten zeigen</translation>
+    </message>
+    <message>
+        <source>Menu</source>
+        <translation>Menü</translation>
+    </message>
+    <message>
+        <source>Entry</source>
+        <translation>Eintrag</translation>
+    </message>
+    <message>
+        <source>Keys</source>
+        <translation>Tasten</translation>
+    </message>
+    <message>
+        <source>&amp;Take it</source>
+        <translation>Ü&amp;bernehmen</translation>
+    </message>
+    <message>
+        <source>Gives the key to this entry, and the other one loses it</source>
+        <translation>Gibt diesem Eintrag die Taste, und der andere verliert sie</translation>
+    </message>
+    <message>
+        <source>&amp;No key</source>
+        <translation>&amp;Keine Taste</translation>
+    </message>
+    <message>
+        <source>As it &amp;was</source>
+        <translation>&amp;Wie zuvor</translation>
+    </message>
+    <message>
+        <source>The key that the entry comes with</source>
+        <translation>Die Taste, mit der der Eintrag kommt</translation>
+    </message>
+    <message>
+        <source>&amp;Key</source>
+        <translation>&amp;Taste</translation>
+    </message>
+    <message>
+        <source>&amp;All as they were</source>
+        <translation>&amp;Alle wie zuvor</translation>
+    </message>
+    <message>
+        <source>&amp;Export…</source>
+        <translation>&amp;Exportieren…</translation>
+    </message>
+    <message>
+        <source>&amp;Import…</source>
+        <translation>&amp;Importieren…</translation>
+    </message>
+    <message>
+        <source>Click into the box and press the key. Changed keys are bold.</source>
+        <translation>Klicken Sie in das Feld und drücken Sie die Taste. Geänderte Tasten sind fett.</translation>
+    </message>
+    <message>
+        <source>%1 is a key of the views: no entry can have it.</source>
+        <translation>%1 ist eine Taste der Ansichten: kein Eintrag kann sie haben.</translation>
+    </message>
+    <message>
+        <source>%1 is the key of %2 → %3. Take it?</source>
+        <translation>%1 ist die Taste von %2 → %3. Übernehmen?</translation>
+    </message>
+    <message>
+        <source>Export keys</source>
+        <translation>Tasten exportieren</translation>
+    </message>
+    <message>
+        <source>Written to %1.</source>
+        <translation>In %1 geschrieben.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be written: %2. Choose another folder.</source>
+        <translation>%1 lässt sich nicht schreiben: %2. Wählen Sie einen anderen Ordner.</translation>
+    </message>
+    <message>
+        <source>Import keys</source>
+        <translation>Tasten importieren</translation>
+    </message>
+    <message>
+        <source>Keys (*.json);;All files (*)</source>
+        <translation>Tasten (*.json);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>%1 cannot be read: %2.</source>
+        <translation>%1 lässt sich nicht lesen: %2.</translation>
+    </message>
+    <message>
+        <source>Taken over from %1.</source>
+        <translation>Aus %1 übernommen.</translation>
+    </message>
+</context>
+<context>
     <name>fenestra::viewer::LabelEditPanel</name>
     <message>
         <source>Grow</source>
@@ -4357,7 +4798,7 @@ Kosinus des Winkels zur nächsten der sechs</translation>
 <context>
     <name>fenestra::viewer::LabelList</name>
     <message>
-        <source>No structure's name has these words.</source>
+        <source>No structure&apos;s name has these words.</source>
         <translation>Keine Struktur heißt so.</translation>
     </message>
     <message>
@@ -4397,7 +4838,7 @@ Kosinus des Winkels zur nächsten der sechs</translation>
         <translation>Farbe…</translation>
     </message>
     <message>
-        <source>The label map's own colour</source>
+        <source>The label map&apos;s own colour</source>
         <translation>Eigene Farbe der Labelkarte</translation>
     </message>
     <message>
@@ -4450,7 +4891,9 @@ Kosinus des Winkels zur nächsten der sechs</translation>
     <message numerus="yes">
         <source>%n label(s) without voxels</source>
         <translation>
-            <numerusform>%n Label ohne Voxel</numerusform><numerusform>%n Labels ohne Voxel</numerusform></translation>
+            <numerusform>%n Label ohne Voxel</numerusform>
+            <numerusform>%n Labels ohne Voxel</numerusform>
+        </translation>
     </message>
     <message>
         <source>Structure</source>
@@ -4551,7 +4994,9 @@ Kosinus des Winkels zur nächsten der sechs</translation>
     <message numerus="yes">
         <source>%n more</source>
         <translation>
-            <numerusform>%n weitere</numerusform><numerusform>%n weitere</numerusform></translation>
+            <numerusform>%n weitere</numerusform>
+            <numerusform>%n weitere</numerusform>
+        </translation>
     </message>
     <message>
         <source>Dismiss</source>
@@ -4767,7 +5212,9 @@ Ein auf einer Schicht angeklickter Punkt: ein Klick dort wendet beide Ansichten 
     <message numerus="yes">
         <source>%n views</source>
         <translation>
-            <numerusform>%n Ansicht</numerusform><numerusform>%n Ansichten</numerusform></translation>
+            <numerusform>%n Ansicht</numerusform>
+            <numerusform>%n Ansichten</numerusform>
+        </translation>
     </message>
     <message>
         <source>Finer near the best</source>
@@ -4787,7 +5234,7 @@ Ein auf einer Schicht angeklickter Punkt: ein Klick dort wendet beide Ansichten 
     </message>
     <message>
         <source>Where the second view may be, always 60° to 120° from the first.
-To its right: the half sphere c2·a ≥ 0 around the first view's right axis a. All around: the band |c1·c2| ≤ sin δ</source>
+To its right: the half sphere c2·a ≥ 0 around the first view&apos;s right axis a. All around: the band |c1·c2| ≤ sin δ</source>
         <translation>Wo die zweite Ansicht sein darf, immer 60° bis 120° von der ersten.
 Rechts davon: die Halbkugel c2·a ≥ 0 um die rechte Achse a der ersten Ansicht. Ringsum: das Band |c1·c2| ≤ sin δ</translation>
     </message>
@@ -4800,7 +5247,7 @@ Rechts davon: die Halbkugel c2·a ≥ 0 um die rechte Achse a der ersten Ansicht
         <translation>δ: wie weit die zweite Ansicht vom rechten Winkel zur ersten abweichen darf</translation>
     </message>
     <message>
-        <source>Choose the two views that together see most of the focus's surface.
+        <source>Choose the two views that together see most of the focus&apos;s surface.
 Off: first the best view, then the best one beside it</source>
         <translation>Wählt die zwei Ansichten, die zusammen am meisten von der Oberfläche des Fokus sehen.
 Aus: erst die beste Ansicht, dann die beste daneben</translation>
@@ -4865,11 +5312,11 @@ Aus: erst die beste Ansicht, dann die beste daneben</translation>
         <translation>Vorgabe exportieren</translation>
     </message>
     <message>
-        <source>There is a preset "%1". Replace it?</source>
+        <source>There is a preset &quot;%1&quot;. Replace it?</source>
         <translation>Es gibt eine Vorgabe „%1“. Ersetzen?</translation>
     </message>
     <message>
-        <source>Delete the preset "%1"?</source>
+        <source>Delete the preset &quot;%1&quot;?</source>
         <translation>Vorgabe „%1“ löschen?</translation>
     </message>
     <message>
@@ -5024,74 +5471,468 @@ Aus: erst die beste Ansicht, dann die beste daneben</translation>
     </message>
 </context>
 <context>
-    <name>fenestra::viewer::SeriesChooser</name>
+    <name>fenestra::viewer::RetrievalRow</name>
     <message>
-        <source>%1 time point %2 of %3</source>
-        <translation>%1 Zeitpunkt %2 von %3</translation>
+        <source>Pause</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1 mm</source>
-        <translation>%L1 mm</translation>
+        <source>Go on</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>every %1</source>
-        <translation>alle %1</translation>
+        <source>Retry</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1, every %2</source>
-        <translation>%1, alle %2</translation>
+        <source>Open</source>
+        <translation type="unfinished">Öffnen</translation>
     </message>
     <message>
-        <source>Patient %1</source>
-        <translation>Patient %1</translation>
+        <source>Waits for others</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Picture</source>
-        <translation>Bild</translation>
+        <source>Stops…</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Patient</source>
-        <translation>Patient</translation>
+        <source>Paused; what came is kept</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>No.</source>
-        <translation>Nr.</translation>
+        <source>Whole</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Type</source>
-        <translation>Typ</translation>
+        <source>Cancels it, and takes it out of the list. What came stays in the cache</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Retrieval %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>fenestra::viewer::Retrievals</name>
+    <message>
+        <source>The server needs a login.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Its server is no longer in the list.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>fenestra::viewer::SearchForm</name>
+    <message>
+        <source>Search</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Asks the server for the studies that match. Empty fields match all (Return)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Saved searches</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Searches under a name. A patient&apos;s name, ID and accession number are not saved</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation type="unfinished">Name</translation>
+    </message>
+    <message>
+        <source>ID</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Accession</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Date</source>
-        <translation>Datum</translation>
+        <translation type="unfinished">Datum</translation>
+    </message>
+    <message>
+        <source>Type</source>
+        <translation type="unfinished">Typ</translation>
     </message>
     <message>
         <source>Description</source>
-        <translation>Beschreibung</translation>
+        <translation type="unfinished">Beschreibung</translation>
     </message>
     <message>
-        <source>Part</source>
-        <translation>Teil</translation>
+        <source>An asterisk stands for any text, a question mark for one character</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Thickness</source>
-        <translation>Dicke</translation>
+        <source>Family name, or &quot;Doe, Jane&quot;: all names that begin so. %1, as in *jane*</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Kernel</source>
-        <translation>Kernel</translation>
+        <source>The patient&apos;s ID as it is. %1, as in 47*</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Size</source>
-        <translation>Größe</translation>
+        <source>The accession number as it is. %1, as in A2024*</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Images</source>
-        <translation>Bilder</translation>
+        <source>All descriptions of studies that hold this text. %1, as in head*</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Choose a series</source>
-        <translation>Serie wählen</translation>
+        <source>The kind of images that the study holds</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Any</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>When the study was made</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Today</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Last 7 days</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Last 30 days</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Last 365 days</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>From … to</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>First day</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Last day</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation type="unfinished">Abbrechen</translation>
+    </message>
+    <message>
+        <source>Save this search…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save this search</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Its name (date, type and description are saved, nothing of a patient):</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Forget</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>fenestra::viewer::SendDialog</name>
+    <message>
+        <source>Nothing is open.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What is open is not DICOM, and archives keep nothing else.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Send to an archive</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Object</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Answer of the server</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Send</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The server that gets the objects</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The open series, images: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Its files as they are</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>All labels, as a DICOM segmentation</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>With their names and colours, for the patient and the series that are open</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The objects hold the patient&apos;s name and ID: an archive files them by these.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Server</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Image %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Labels</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>accepted</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>refused</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Accepted: %1 of %2.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>fenestra::viewer::SeriesPanel</name>
+    <message>
+        <source>Series</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Patient %1</source>
+        <translation type="unfinished">Patient %1</translation>
+    </message>
+    <message>
+        <source>Patient without a name</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>1 image</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n images</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1, open</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>fenestra::viewer::ServerDialog</name>
+    <message>
+        <source>Archive server</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>As you call it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>DICOM</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>DICOM over TLS</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>DICOMweb</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What the server speaks; its administrator knows</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation type="unfinished">Name</translation>
+    </message>
+    <message>
+        <source>Speaks</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Its name or address in the network</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The port that it listens on</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Its AE title, at most 16 letters and digits</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Our AE title: its administrator enters it at the server</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>C-GET, over our connection</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>C-MOVE, the server connects to us</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How objects come. C-GET needs nothing more; with C-MOVE our address and port are entered at the server, and the port is open while objects come</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Address of this machine that the server sends to</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Port of this machine that the server sends to</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Host</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Port</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Its AE title</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Our AE title</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Retrieve by</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Our address</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Our port</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The address of DICOMweb&apos;s root. A login goes out over https alone</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>User and password</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Token</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The password or token is asked for when it is needed, and forgotten when the program ends</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Who you are to the server</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Address</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Login</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>User</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Certificates that may sign the server&apos;s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Certificates in PEM that may sign the server&apos;s, or its own</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Our certificate</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>In PEM, where the server asks for one</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The key of our certificate</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>In PEM, without a passphrase</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Trusted certificates</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Its key</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose the file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Certificates and keys (*.pem *.crt *.cer *.key);;All files (*)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Token for %1:</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Password of %1 for %2:</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -5113,11 +5954,11 @@ Aus: erst die beste Ansicht, dann die beste daneben</translation>
         <translation>Wo sind die Daten jetzt?</translation>
     </message>
     <message>
-        <source>The session's label map is needed.</source>
+        <source>The session&apos;s label map is needed.</source>
         <translation>Die Labelkarte der Sitzung wird gebraucht.</translation>
     </message>
     <message>
-        <source>The session's volume is needed.</source>
+        <source>The session&apos;s volume is needed.</source>
         <translation>Das Volumen der Sitzung wird gebraucht.</translation>
     </message>
     <message>
@@ -5133,7 +5974,7 @@ Aus: erst die beste Ansicht, dann die beste daneben</translation>
         <translation>Die Daten</translation>
     </message>
     <message>
-        <source>The data's folder</source>
+        <source>The data&apos;s folder</source>
         <translation>Der Ordner der Daten</translation>
     </message>
     <message>
@@ -5163,7 +6004,9 @@ Aus: erst die beste Ansicht, dann die beste daneben</translation>
     <message numerus="yes">
         <source>%n more</source>
         <translation>
-            <numerusform>%n weitere</numerusform><numerusform>%n weitere</numerusform></translation>
+            <numerusform>%n weitere</numerusform>
+            <numerusform>%n weitere</numerusform>
+        </translation>
     </message>
     <message>
         <source>Save the session</source>
@@ -5412,12 +6255,16 @@ Aus: erst die beste Ansicht, dann die beste daneben</translation>
     <message numerus="yes">
         <source>There are %n time points here; this is number %1.</source>
         <translation>
-            <numerusform>Hier ist %n Zeitpunkt; dies ist Nummer %1.</numerusform><numerusform>Hier sind %n Zeitpunkte; dies ist Nummer %1.</numerusform></translation>
+            <numerusform>Hier ist %n Zeitpunkt; dies ist Nummer %1.</numerusform>
+            <numerusform>Hier sind %n Zeitpunkte; dies ist Nummer %1.</numerusform>
+        </translation>
     </message>
     <message numerus="yes">
         <source>There are %n series here; open is %1.</source>
         <translation>
-            <numerusform>Hier ist %n Serie; geöffnet ist %1.</numerusform><numerusform>Hier sind %n Serien; geöffnet ist %1.</numerusform></translation>
+            <numerusform>Hier ist %n Serie; geöffnet ist %1.</numerusform>
+            <numerusform>Hier sind %n Serien; geöffnet ist %1.</numerusform>
+        </translation>
     </message>
     <message>
         <source>Choose…</source>
@@ -5434,7 +6281,9 @@ Aus: erst die beste Ansicht, dann die beste daneben</translation>
     <message numerus="yes">
         <source>%n segmentations of this series lie beside it.</source>
         <translation>
-            <numerusform>Daneben liegt %n Segmentierung dieser Serie.</numerusform><numerusform>Daneben liegen %n Segmentierungen dieser Serie.</numerusform></translation>
+            <numerusform>Daneben liegt %n Segmentierung dieser Serie.</numerusform>
+            <numerusform>Daneben liegen %n Segmentierungen dieser Serie.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -5444,7 +6293,7 @@ Aus: erst die beste Ansicht, dann die beste daneben</translation>
         <translation>%L1 ml</translation>
     </message>
     <message>
-        <source>The region's volume against its tolerance, both logarithmic. A cliff is a leak; green marks where the region hardly changes</source>
+        <source>The region&apos;s volume against its tolerance, both logarithmic. A cliff is a leak; green marks where the region hardly changes</source>
         <translation>Volumen der Region gegen ihre Toleranz, beide logarithmisch. Eine Klippe ist ein Auslaufen; Grün zeigt, wo sich die Region kaum ändert</translation>
     </message>
 </context>
@@ -5667,18 +6516,6 @@ Aus: erst die beste Ansicht, dann die beste daneben</translation>
 
 %1
 
-The slices below work without it.</source>
-        <translation>3-D-Ansichten sind hier nicht verfügbar.
-
-%1
-
-Die Schichten unten funktionieren ohne sie.</translation>
-    </message>
-    <message>
-        <source>3-D views are not available here.
-
-%1
-
 The slices work without it.</source>
         <translation>3-D-Ansichten sind hier nicht verfügbar.
 
@@ -5787,7 +6624,7 @@ Die Schichten funktionieren ohne sie.</translation>
         <translation>Eingebaute Phantome</translation>
     </message>
     <message>
-        <source>Bodies made of simple shapes, with every structure labelled. Nobody's data: try everything on them.</source>
+        <source>Bodies made of simple shapes, with every structure labelled. Nobody&apos;s data: try everything on them.</source>
         <translation>Körper aus einfachen Formen, jede Struktur mit Label. Niemandes Daten: probieren Sie alles daran aus.</translation>
     </message>
     <message>
@@ -5848,263 +6685,6 @@ Die Schichten funktionieren ohne sie.</translation>
     <message>
         <source>&amp;Level</source>
         <translation>&amp;Zentrum</translation>
-    </message>
-</context>
-<context>
-    <name>PlaneMenu</name>
-    <message>
-        <source>Slab of the %1 slice</source>
-        <translation>Schichtpaket der Schicht: %1</translation>
-    </message>
-    <message>
-        <source>Thickness in mm, half of it to each side; 0 is the slice alone:</source>
-        <translation>Dicke in mm, je die Hälfte nach beiden Seiten; 0 ist die Schicht allein:</translation>
-    </message>
-    <message>
-        <source>Off: the slice alone</source>
-        <translation>Aus: die Schicht allein</translation>
-    </message>
-    <message>
-        <source>%1 mm</source>
-        <translation>%L1 mm</translation>
-    </message>
-    <message>
-        <source>Other: %1 mm…</source>
-        <translation>Andere: %1 mm…</translation>
-    </message>
-    <message>
-        <source>Other…</source>
-        <translation>Andere…</translation>
-    </message>
-    <message>
-        <source>Maximum (MIP)</source>
-        <translation>Maximum (MIP)</translation>
-    </message>
-    <message>
-        <source>Minimum (MinIP)</source>
-        <translation>Minimum (MinIP)</translation>
-    </message>
-    <message>
-        <source>Mean</source>
-        <translation>Mittel</translation>
-    </message>
-    <message>
-        <source>All slices as this one</source>
-        <translation>Alle Schichten wie diese</translation>
-    </message>
-    <message>
-        <source>Slice faces C1</source>
-        <translation>Schicht zu C1 gewandt</translation>
-    </message>
-    <message>
-        <source>Slice faces C2</source>
-        <translation>Schicht zu C2 gewandt</translation>
-    </message>
-    <message>
-        <source>Slab</source>
-        <translation>Schichtpaket</translation>
-    </message>
-    <message>
-        <source>Reset this slice's plane</source>
-        <translation>Ebene dieser Schicht zurücksetzen</translation>
-    </message>
-    <message>
-        <source>Reset all planes</source>
-        <translation>Alle Ebenen zurücksetzen</translation>
-    </message>
-</context>
-<context>
-    <name>PlaneTool</name>
-    <message>
-        <source>%1°</source>
-        <translation>%L1°</translation>
-    </message>
-</context>
-<context>
-    <name>Slab</name>
-    <message>
-        <source>MIP</source>
-        <translation>MIP</translation>
-    </message>
-    <message>
-        <source>MinIP</source>
-        <translation>MinIP</translation>
-    </message>
-    <message>
-        <source>Mean</source>
-        <translation>Mittel</translation>
-    </message>
-    <message>
-        <source>%1 %2 mm</source>
-        <translation>%1 %L2 mm</translation>
-    </message>
-</context>
-<context>
-    <name>ViewArea</name>
-    <message>
-        <source>&amp;Five views</source>
-        <translation>&amp;Fünf Ansichten</translation>
-    </message>
-    <message>
-        <source>C&amp;1 and C2</source>
-        <translation>C&amp;1 und C2</translation>
-    </message>
-    <message>
-        <source>&amp;3-D large, three slices</source>
-        <translation>&amp;3-D groß, drei Schichten</translation>
-    </message>
-    <message>
-        <source>&amp;Slices alone</source>
-        <translation>&amp;Nur Schichten</translation>
-    </message>
-    <message>
-        <source>&amp;Axial large</source>
-        <translation>&amp;Axial groß</translation>
-    </message>
-    <message>
-        <source>F&amp;our: C1 and slices</source>
-        <translation>&amp;Vier: C1 und Schichten</translation>
-    </message>
-    <message>
-        <source>C1 &amp;beside axial</source>
-        <translation>&amp;C1 neben axial</translation>
-    </message>
-</context>
-<context>
-    <name>fenestra::viewer::DockFolding</name>
-    <message>
-        <source>Fold %1</source>
-        <translation>%1 einklappen</translation>
-    </message>
-    <message>
-        <source>Folds this panel to its title, so that those above have more room</source>
-        <translation>Klappt dieses Panel auf seinen Titel ein, damit die darüber mehr Platz haben</translation>
-    </message>
-</context>
-<context>
-    <name>fenestra::viewer::KeyBindings</name>
-    <message>
-        <source>It is not JSON, from character %1 on: %2.</source>
-        <translation>Es ist kein JSON, ab Zeichen %1: %2.</translation>
-    </message>
-    <message>
-        <source>It does not hold Fenestra's keys: choose a file that Export in this dialog wrote.</source>
-        <translation>Sie enthält nicht Fenestras Tasten: wählen Sie eine Datei, die Exportieren in diesem Dialog geschrieben hat.</translation>
-    </message>
-    <message>
-        <source>It was written by a newer version of Fenestra.</source>
-        <translation>Eine neuere Version von Fenestra hat sie geschrieben.</translation>
-    </message>
-    <message>
-        <source>"%1", of "%2", is no key.</source>
-        <translation>„%1“, von „%2“, ist keine Taste.</translation>
-    </message>
-    <message>
-        <source>%1, of "%2", is a key of the views.</source>
-        <translation>%1, von „%2“, ist eine Taste der Ansichten.</translation>
-    </message>
-    <message>
-        <source>%1 is the key of both "%2" and "%3".</source>
-        <translation>%1 ist die Taste von „%2“ und von „%3“.</translation>
-    </message>
-</context>
-<context>
-    <name>fenestra::viewer::KeysDialog</name>
-    <message>
-        <source>Change keys</source>
-        <translation>Tasten ändern</translation>
-    </message>
-    <message>
-        <source>Show entries with these words or keys</source>
-        <translation>Einträge mit diesen Wörtern oder Tasten zeigen</translation>
-    </message>
-    <message>
-        <source>Menu</source>
-        <translation>Menü</translation>
-    </message>
-    <message>
-        <source>Entry</source>
-        <translation>Eintrag</translation>
-    </message>
-    <message>
-        <source>Keys</source>
-        <translation>Tasten</translation>
-    </message>
-    <message>
-        <source>&amp;Take it</source>
-        <translation>Ü&amp;bernehmen</translation>
-    </message>
-    <message>
-        <source>Gives the key to this entry, and the other one loses it</source>
-        <translation>Gibt diesem Eintrag die Taste, und der andere verliert sie</translation>
-    </message>
-    <message>
-        <source>&amp;No key</source>
-        <translation>&amp;Keine Taste</translation>
-    </message>
-    <message>
-        <source>As it &amp;was</source>
-        <translation>&amp;Wie zuvor</translation>
-    </message>
-    <message>
-        <source>The key that the entry comes with</source>
-        <translation>Die Taste, mit der der Eintrag kommt</translation>
-    </message>
-    <message>
-        <source>&amp;Key</source>
-        <translation>&amp;Taste</translation>
-    </message>
-    <message>
-        <source>&amp;All as they were</source>
-        <translation>&amp;Alle wie zuvor</translation>
-    </message>
-    <message>
-        <source>&amp;Export…</source>
-        <translation>&amp;Exportieren…</translation>
-    </message>
-    <message>
-        <source>&amp;Import…</source>
-        <translation>&amp;Importieren…</translation>
-    </message>
-    <message>
-        <source>Click into the box and press the key. Changed keys are bold.</source>
-        <translation>Klicken Sie in das Feld und drücken Sie die Taste. Geänderte Tasten sind fett.</translation>
-    </message>
-    <message>
-        <source>%1 is a key of the views: no entry can have it.</source>
-        <translation>%1 ist eine Taste der Ansichten: kein Eintrag kann sie haben.</translation>
-    </message>
-    <message>
-        <source>%1 is the key of %2 → %3. Take it?</source>
-        <translation>%1 ist die Taste von %2 → %3. Übernehmen?</translation>
-    </message>
-    <message>
-        <source>Export keys</source>
-        <translation>Tasten exportieren</translation>
-    </message>
-    <message>
-        <source>Written to %1.</source>
-        <translation>In %1 geschrieben.</translation>
-    </message>
-    <message>
-        <source>%1 cannot be written: %2. Choose another folder.</source>
-        <translation>%1 lässt sich nicht schreiben: %2. Wählen Sie einen anderen Ordner.</translation>
-    </message>
-    <message>
-        <source>Import keys</source>
-        <translation>Tasten importieren</translation>
-    </message>
-    <message>
-        <source>Keys (*.json);;All files (*)</source>
-        <translation>Tasten (*.json);;Alle Dateien (*)</translation>
-    </message>
-    <message>
-        <source>%1 cannot be read: %2.</source>
-        <translation>%1 lässt sich nicht lesen: %2.</translation>
-    </message>
-    <message>
-        <source>Taken over from %1.</source>
-        <translation>Aus %1 übernommen.</translation>
     </message>
 </context>
 </TS>

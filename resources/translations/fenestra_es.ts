@@ -247,7 +247,7 @@
         <translation>Mayús+rueda, Mayús+arrastrar</translation>
     </message>
     <message>
-        <source>depth, or by how much the context's edges change</source>
+        <source>depth, or by how much the context&apos;s edges change</source>
         <translation>profundidad, o cuánto cambian las aristas del contexto</translation>
     </message>
     <message>
@@ -267,7 +267,7 @@
         <translation>Función de transferencia</translation>
     </message>
     <message>
-        <source>Drag a point, or a trapezoid's edge, top or inside</source>
+        <source>Drag a point, or a trapezoid&apos;s edge, top or inside</source>
         <translation>Arrastrar un punto, o el lado, la cima o el interior de un trapecio</translation>
     </message>
     <message>
@@ -363,7 +363,7 @@
         <translation>grosor del bloque, desde el corte solo hasta 100 mm</translation>
     </message>
     <message>
-        <source>The crosshair's lines, on the slices</source>
+        <source>The crosshair&apos;s lines, on the slices</source>
         <translation>Las líneas de la cruz, en los cortes</translation>
     </message>
     <message>
@@ -398,6 +398,26 @@
         <source>move the picture; on the body only while clicks choose no focus (Focus menu)</source>
         <translation>mover la imagen; sobre el cuerpo solo si los clics no eligen foco (menú Foco)</translation>
     </message>
+    <message>
+        <source>What an archive holds</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Double-click, Return</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>retrieve the study or series, and open it once it is whole</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Drag onto a view</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>retrieve what is selected, and open it once it is whole</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Fidelity</name>
@@ -426,11 +446,11 @@
         <translation>se suponen posiciones o tamaños que el archivo no da</translation>
     </message>
     <message>
-        <source>some values are outside of what the file's header allows</source>
+        <source>some values are outside of what the file&apos;s header allows</source>
         <translation>algunos valores están fuera de lo que permite la cabecera</translation>
     </message>
     <message>
-        <source>values are rounded to the precision of the program's numbers</source>
+        <source>values are rounded to the precision of the program&apos;s numbers</source>
         <translation>los valores se redondean a la precisión de los números del programa</translation>
     </message>
     <message>
@@ -482,7 +502,7 @@
         <translation>una parte del volumen está tallada</translation>
     </message>
     <message>
-        <source>the scanner's table is left out</source>
+        <source>the scanner&apos;s table is left out</source>
         <translation>se omite la mesa del escáner</translation>
     </message>
     <message>
@@ -650,11 +670,11 @@
 <context>
     <name>GlSupport</name>
     <message>
-        <source>Qt's offscreen platform has no OpenGL; unset QT_QPA_PLATFORM.</source>
+        <source>Qt&apos;s offscreen platform has no OpenGL; unset QT_QPA_PLATFORM.</source>
         <translation>La plataforma offscreen de Qt no tiene OpenGL; quite QT_QPA_PLATFORM.</translation>
     </message>
     <message>
-        <source>No OpenGL context can be made on this display. Install the graphics driver, or Mesa's software renderer (Debian: libgl1-mesa-dri); on a remote desktop, start Fenestra there.</source>
+        <source>No OpenGL context can be made on this display. Install the graphics driver, or Mesa&apos;s software renderer (Debian: libgl1-mesa-dri); on a remote desktop, start Fenestra there.</source>
         <translation>No se puede crear un contexto OpenGL en esta pantalla. Instale el controlador gráfico o el renderizador por software de Mesa (Debian: libgl1-mesa-dri); en un escritorio remoto, inicie Fenestra allí.</translation>
     </message>
     <message>
@@ -826,6 +846,10 @@
         <source>Cutaway</source>
         <translation>Seccionado</translation>
     </message>
+    <message>
+        <source>Series</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Patient</name>
@@ -844,145 +868,75 @@
         <source>From the side of the body that the focus is nearer to, rather than through the body, where both show about as much</source>
         <translation>Desde el lado del cuerpo más cercano al foco y no a través del cuerpo, si ambas muestran más o menos lo mismo</translation>
     </message>
+</context>
+<context>
+    <name>PlaneMenu</name>
     <message>
-        <source>Depth</source>
-        <translation>Profundidad</translation>
+        <source>Slab of the %1 slice</source>
+        <translation>Bloque del corte: %1</translation>
     </message>
     <message>
-        <source>How deep the focus lies; below 0 prefers views with little in front of it.
-vd1 = mean depth of the focus's pixels / diameter of the model's sphere</source>
-        <translation>Cuán profundo está el foco; por debajo de 0 prefiere vistas con poco delante.
-vd1 = profundidad media de los píxeles del foco / diámetro de la esfera del modelo</translation>
+        <source>Thickness in mm, half of it to each side; 0 is the slice alone:</source>
+        <translation>Grosor en mm, la mitad a cada lado; 0 es el corte solo:</translation>
     </message>
     <message>
-        <source>Size</source>
-        <translation>Tamaño</translation>
+        <source>Off: the slice alone</source>
+        <translation>Desactivado: el corte solo</translation>
     </message>
     <message>
-        <source>How large the focus is in the picture.
-vd2 = pixels of the focus / pixels of the picture</source>
-        <translation>Cuán grande es el foco en la imagen.
-vd2 = píxeles del foco / píxeles de la imagen</translation>
+        <source>%1 mm</source>
+        <translation>%L1 mm</translation>
     </message>
     <message>
-        <source>Centring</source>
-        <translation>Centrado</translation>
+        <source>Other: %1 mm…</source>
+        <translation>Otro: %1 mm…</translation>
     </message>
     <message>
-        <source>How near to the middle of the picture it is.
-vd3 = 1 − distance of its centroid from the middle / distance of a corner</source>
-        <translation>Cuán cerca está del centro de la imagen.
-vd3 = 1 − distancia de su centroide al centro / distancia de una esquina</translation>
+        <source>Other…</source>
+        <translation>Otro…</translation>
     </message>
     <message>
-        <source>Cut ends</source>
-        <translation>Extremos cortados</translation>
+        <source>Maximum (MIP)</source>
+        <translation>Máximo (MIP)</translation>
     </message>
     <message>
-        <source>Below 0 avoids looking at the focus through a face where the scan cuts the body off.
-Share of the focus's pixels whose rays enter the volume inside the body</source>
-        <translation>Por debajo de 0 evita mirar el foco a través de una cara donde la adquisición corta el cuerpo.
-Parte de los píxeles del foco cuyos rayos entran en el volumen dentro del cuerpo</translation>
+        <source>Minimum (MinIP)</source>
+        <translation>Mínimo (MinIP)</translation>
     </message>
     <message>
-        <source>Evenness</source>
-        <translation>Uniformidad</translation>
+        <source>Mean</source>
+        <translation>Media</translation>
     </message>
     <message>
-        <source>How much of its surface is seen.
-Viewpoint entropy −Σ p log p of the seen surface points, over its maximum (Bordoloi, Shen 2005)</source>
-        <translation>Cuánto se ve de su superficie.
-Entropía del punto de vista −Σ p log p de los puntos vistos, sobre su máximo (Bordoloi, Shen 2005)</translation>
+        <source>All slices as this one</source>
+        <translation>Todos los cortes como este</translation>
     </message>
     <message>
-        <source>Typical</source>
-        <translation>Típica</translation>
+        <source>Slice faces C1</source>
+        <translation>Corte frente a C1</translation>
     </message>
     <message>
-        <source>How typical the view is of all views.
-1 − Σ p(o|v) log(p(o|v) / p(o)) over its maximum (Viola et al. 2006)</source>
-        <translation>Cuán típica es la vista entre todas.
-1 − Σ p(o|v) log(p(o|v) / p(o)) sobre su máximo (Viola et al. 2006)</translation>
+        <source>Slice faces C2</source>
+        <translation>Corte frente a C2</translation>
     </message>
     <message>
-        <source>Steady</source>
-        <translation>Estable</translation>
+        <source>Slab</source>
+        <translation>Bloque</translation>
     </message>
     <message>
-        <source>How little changes when the camera moves a bit.
-1 − Jensen–Shannon divergence to the eight nearest views</source>
-        <translation>Cuán poco cambia cuando la cámara se mueve un poco.
-1 − divergencia de Jensen-Shannon con las ocho vistas más próximas</translation>
+        <source>Reset this slice&apos;s plane</source>
+        <translation>Restablecer el plano de este corte</translation>
     </message>
     <message>
-        <source>Standard view</source>
-        <translation>Vista estándar</translation>
+        <source>Reset all planes</source>
+        <translation>Restablecer todos los planos</translation>
     </message>
+</context>
+<context>
+    <name>PlaneTool</name>
     <message>
-        <source>How near the view is to anterior, left, superior …: a little decides between equally good views.
-Cosine of the angle to the nearest of the six</source>
-        <translation>Cuán cerca está la vista de anterior, izquierda, superior …: un poco decide entre vistas igual de buenas.
-Coseno del ángulo con la más próxima de las seis</translation>
-    </message>
-    <message>
-        <source>Not through cut ends</source>
-        <translation>No a través de extremos cortados</translation>
-    </message>
-    <message>
-        <source>No view within 45° of an end of the scan where the body goes on, while another one shows at least two thirds as much of the focus</source>
-        <translation>Ninguna vista a menos de 45° de un extremo de la adquisición donde el cuerpo continúa, mientras otra muestre al menos dos tercios del foco</translation>
-    </message>
-    <message>
-        <source>From around before from above</source>
-        <translation>De alrededor antes que de arriba</translation>
-    </message>
-    <message>
-        <source>From the front, from behind, the left or the right rather than from above or below, where both show about as much</source>
-        <translation>De frente, de atrás, de la izquierda o la derecha antes que de arriba o abajo, si ambas muestran más o menos lo mismo</translation>
-    </message>
-    <message>
-        <source>Thin stacks from the front</source>
-        <translation>Pilas finas de frente</translation>
-    </message>
-    <message>
-        <source>A stack of a few slices, or one much thinner than wide, is seen from the side from which its slices are shown, not edge-on</source>
-        <translation>Una pila de pocos cortes, o mucho más fina que ancha, se mira desde el lado en que se muestran sus cortes, no de canto</translation>
-    </message>
-    <message>
-        <source>From the near side</source>
-        <translation>Desde el lado cercano</translation>
-    </message>
-    <message>
-        <source>Usual side</source>
-        <translation>Lado habitual</translation>
-    </message>
-    <message>
-        <source>How usual the view is: from the front rather than from the side, from behind, from above or below</source>
-        <translation>Cuán habitual es la vista: de frente antes que de lado, de atrás, de arriba o de abajo</translation>
-    </message>
-    <message>
-        <source>Last view</source>
-        <translation>Última vista</translation>
-    </message>
-    <message>
-        <source>How near the view is to the present one, so that it does not jump</source>
-        <translation>Cuán cerca está la vista de la actual, para que no salte</translation>
-    </message>
-    <message>
-        <source>Shape</source>
-        <translation>Forma</translation>
-    </message>
-    <message>
-        <source>How well the view shows the structure's shape around the point: onto what is flat, across what is long</source>
-        <translation>Cuán bien muestra la vista la forma de la estructura en torno al punto: de frente a lo plano, de través a lo largo</translation>
-    </message>
-    <message>
-        <source>Unhidden</source>
-        <translation>Sin ocultar</translation>
-    </message>
-    <message>
-        <source>How little hides the structure around the point, before anything is cut away</source>
-        <translation>Cuán poco oculta la estructura en torno al punto, antes de cortar nada</translation>
+        <source>%1°</source>
+        <translation>%L1°</translation>
     </message>
 </context>
 <context>
@@ -1060,6 +1014,72 @@ Coseno del ángulo con la más próxima de las seis</translation>
     <message>
         <source>There is not enough memory for this picture. Close other programs, or open a smaller volume.</source>
         <translation>No hay memoria suficiente para esta imagen. Cierre otros programas o abra un volumen menor.</translation>
+    </message>
+</context>
+<context>
+    <name>Series</name>
+    <message>
+        <source>%1 mm</source>
+        <translation type="unfinished">%L1 mm</translation>
+    </message>
+    <message>
+        <source>every %1</source>
+        <translation type="unfinished">cada %1</translation>
+    </message>
+    <message>
+        <source>%1, every %2</source>
+        <translation type="unfinished">%1, cada %2</translation>
+    </message>
+    <message>
+        <source>time point %1 of %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Series without a name</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Series %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Study %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>ServerEntry</name>
+    <message>
+        <source>The server&apos;s AE title has 1 to 16 letters and digits; its administrator knows it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Our AE title has 1 to 16 letters and digits; the server must know it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The host is a name or an address, such as pacs.hospital or 192.168.1.5.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>C-MOVE needs a port of ours that is entered at the server.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>TLS needs the file of the certificates that may sign the server&apos;s, in PEM.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Our certificate needs its key, and the key its certificate.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The address is that of DICOMweb&apos;s root, such as https://pacs.hospital/dicom-web.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A login with a password needs the user&apos;s name.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -1161,7 +1181,7 @@ Coseno del ángulo con la más próxima de las seis</translation>
         <translation>ClearView</translation>
     </message>
     <message>
-        <source>A lens over the focus through which it shows, while what hides it fades towards the lens's middle and stays where it bends (Krüger, Schneider and Westermann 2006)</source>
+        <source>A lens over the focus through which it shows, while what hides it fades towards the lens&apos;s middle and stays where it bends (Krüger, Schneider and Westermann 2006)</source>
         <translation>Una lente sobre el foco a través de la cual se ve, mientras lo que lo oculta se atenúa hacia el centro y queda donde se curva (Krüger, Schneider y Westermann 2006)</translation>
     </message>
     <message>
@@ -1169,7 +1189,7 @@ Coseno del ángulo con la más próxima de las seis</translation>
         <translation>La lente conserva</translation>
     </message>
     <message>
-        <source>What stays within ClearView's lens of what hides the focus, beside its bends</source>
+        <source>What stays within ClearView&apos;s lens of what hides the focus, beside its bends</source>
         <translation>Lo que queda en la lente de ClearView de lo que oculta el foco, además de sus curvas</translation>
     </message>
     <message>
@@ -1177,7 +1197,7 @@ Coseno del ángulo con la más próxima de las seis</translation>
         <translation>Lente sobre</translation>
     </message>
     <message>
-        <source>What ClearView's lens lies over, as you see it</source>
+        <source>What ClearView&apos;s lens lies over, as you see it</source>
         <translation>Sobre qué está la lente de ClearView, tal como se ve</translation>
     </message>
     <message>
@@ -1185,7 +1205,7 @@ Coseno del ángulo con la más próxima de las seis</translation>
         <translation>Lente</translation>
     </message>
     <message>
-        <source>Radius of ClearView's lens, as a share of the volume's longest side; its authors use 18.2</source>
+        <source>Radius of ClearView&apos;s lens, as a share of the volume&apos;s longest side; its authors use 18.2</source>
         <translation>Radio de la lente de ClearView como parte del lado más largo del volumen; sus autores usan 18,2</translation>
     </message>
     <message>
@@ -1193,7 +1213,7 @@ Coseno del ángulo con la más próxima de las seis</translation>
         <translation>Curvas conservadas</translation>
     </message>
     <message>
-        <source>How much of the bends of what hides the focus stays within ClearView's lens; 0 keeps none</source>
+        <source>How much of the bends of what hides the focus stays within ClearView&apos;s lens; 0 keeps none</source>
         <translation>Cuánto queda en la lente de ClearView de las curvas de lo que oculta el foco; 0 no conserva nada</translation>
     </message>
     <message>
@@ -1201,7 +1221,7 @@ Coseno del ángulo con la más próxima de las seis</translation>
         <translation>Borde de la lente</translation>
     </message>
     <message>
-        <source>How thin the dark line around ClearView's lens is: more is thinner</source>
+        <source>How thin the dark line around ClearView&apos;s lens is: more is thinner</source>
         <translation>Cuán fina es la línea oscura de la lente de ClearView: más es más fina</translation>
     </message>
     <message>
@@ -1225,7 +1245,7 @@ Coseno del ángulo con la más próxima de las seis</translation>
         <translation>Hacia el borde</translation>
     </message>
     <message>
-        <source>The nearer to the lens's rim, the more of what hides the focus</source>
+        <source>The nearer to the lens&apos;s rim, the more of what hides the focus</source>
         <translation>Cuanto más cerca del borde de la lente, más de lo que oculta el foco</translation>
     </message>
     <message>
@@ -1253,11 +1273,11 @@ Coseno del ángulo con la más próxima de las seis</translation>
         <translation>Un embudo en torno a todo lo enfocado que se ensancha hacia usted con un ángulo: cuanto más profundo el foco, más ancha la abertura (Burns y Finkelstein 2008)</translation>
     </message>
     <message>
-        <source>Cone's angle</source>
+        <source>Cone&apos;s angle</source>
         <translation>Ángulo del cono</translation>
     </message>
     <message>
-        <source>Angle between the axis and the wall of the cone cutaway's cones: more opens wider</source>
+        <source>Angle between the axis and the wall of the cone cutaway&apos;s cones: more opens wider</source>
         <translation>Ángulo entre el eje y la pared de los conos: más abre más</translation>
     </message>
     <message>
@@ -1313,7 +1333,7 @@ Coseno del ángulo con la más próxima de las seis</translation>
         <translation>Cortar según</translation>
     </message>
     <message>
-        <source>Whether the planes of an exploded view lie along the patient's axes or the view's</source>
+        <source>Whether the planes of an exploded view lie along the patient&apos;s axes or the view&apos;s</source>
         <translation>Si los planos siguen los ejes del paciente o los de la vista</translation>
     </message>
     <message>
@@ -1345,7 +1365,7 @@ Coseno del ángulo con la más próxima de las seis</translation>
         <translation>El paciente</translation>
     </message>
     <message>
-        <source>Planes along the patient's axes: left and right are the patient's</source>
+        <source>Planes along the patient&apos;s axes: left and right are the patient&apos;s</source>
         <translation>Planos según los ejes del paciente: izquierda y derecha son las del paciente</translation>
     </message>
     <message>
@@ -1353,7 +1373,7 @@ Coseno del ángulo con la más próxima de las seis</translation>
         <translation>La vista</translation>
     </message>
     <message>
-        <source>Planes along the picture's axes, which turn with the camera</source>
+        <source>Planes along the picture&apos;s axes, which turn with the camera</source>
         <translation>Planos según los ejes de la imagen, que giran con la cámara</translation>
     </message>
     <message>
@@ -1377,7 +1397,7 @@ Coseno del ángulo con la más próxima de las seis</translation>
         <translation>Tamaño de la región</translation>
     </message>
     <message>
-        <source>Radius of the focal region's sphere, half the side of its box, or its distance from the focus</source>
+        <source>Radius of the focal region&apos;s sphere, half the side of its box, or its distance from the focus</source>
         <translation>Radio de la esfera, mitad del lado de la caja, o distancia al foco</translation>
     </message>
     <message>
@@ -1405,7 +1425,7 @@ Coseno del ángulo con la más próxima de las seis</translation>
         <translation>Caja</translation>
     </message>
     <message>
-        <source>A cube along the patient's axes, around the middle of the focus</source>
+        <source>A cube along the patient&apos;s axes, around the middle of the focus</source>
         <translation>Un cubo según los ejes del paciente en torno al centro del foco</translation>
     </message>
     <message>
@@ -1437,7 +1457,7 @@ Coseno del ángulo con la más próxima de las seis</translation>
         <translation>Ensanche</translation>
     </message>
     <message>
-        <source>Angle at which the importance-driven opening widens from the focus's outline towards the eye</source>
+        <source>Angle at which the importance-driven opening widens from the focus&apos;s outline towards the eye</source>
         <translation>Ángulo con que la abertura se ensancha desde el contorno del foco hacia el ojo</translation>
     </message>
     <message>
@@ -1461,7 +1481,7 @@ Coseno del ángulo con la más próxima de las seis</translation>
         <translation>Quitado</translation>
     </message>
     <message>
-        <source>What hides the focus is removed, in a cone that widens from the focus's outline towards you (maximum importance projection)</source>
+        <source>What hides the focus is removed, in a cone that widens from the focus&apos;s outline towards you (maximum importance projection)</source>
         <translation>Lo que oculta el foco se quita, en un cono que se ensancha desde su contorno hacia usted (maximum importance projection)</translation>
     </message>
     <message>
@@ -1485,7 +1505,7 @@ Coseno del ángulo con la más próxima de las seis</translation>
         <translation>Gris</translation>
     </message>
     <message>
-        <source>Less opaque, and grey, so that the colours are the focus's alone</source>
+        <source>Less opaque, and grey, so that the colours are the focus&apos;s alone</source>
         <translation>Menos opaco y gris, para que solo el foco tenga color</translation>
     </message>
     <message>
@@ -1573,7 +1593,7 @@ Coseno del ángulo con la más próxima de las seis</translation>
         <translation>Delante</translation>
     </message>
     <message>
-        <source>The patient's anterior side</source>
+        <source>The patient&apos;s anterior side</source>
         <translation>El lado anterior del paciente</translation>
     </message>
     <message>
@@ -1581,7 +1601,7 @@ Coseno del ángulo con la más próxima de las seis</translation>
         <translation>Detrás</translation>
     </message>
     <message>
-        <source>The patient's posterior side</source>
+        <source>The patient&apos;s posterior side</source>
         <translation>El lado posterior del paciente</translation>
     </message>
     <message>
@@ -1589,7 +1609,7 @@ Coseno del ángulo con la más próxima de las seis</translation>
         <translation>La izquierda</translation>
     </message>
     <message>
-        <source>The patient's left side</source>
+        <source>The patient&apos;s left side</source>
         <translation>El lado izquierdo del paciente</translation>
     </message>
     <message>
@@ -1597,7 +1617,7 @@ Coseno del ángulo con la más próxima de las seis</translation>
         <translation>La derecha</translation>
     </message>
     <message>
-        <source>The patient's right side</source>
+        <source>The patient&apos;s right side</source>
         <translation>El lado derecho del paciente</translation>
     </message>
     <message>
@@ -1605,7 +1625,7 @@ Coseno del ángulo con la más próxima de las seis</translation>
         <translation>Arriba</translation>
     </message>
     <message>
-        <source>The patient's superior side</source>
+        <source>The patient&apos;s superior side</source>
         <translation>El lado superior del paciente</translation>
     </message>
     <message>
@@ -1613,7 +1633,7 @@ Coseno del ángulo con la más próxima de las seis</translation>
         <translation>Abajo</translation>
     </message>
     <message>
-        <source>The patient's inferior side</source>
+        <source>The patient&apos;s inferior side</source>
         <translation>El lado inferior del paciente</translation>
     </message>
     <message>
@@ -1697,7 +1717,7 @@ Coseno del ángulo con la más próxima de las seis</translation>
         <translation>Si el corte coronal en la cruz es una pared</translation>
     </message>
     <message>
-        <source>Whether the labels' outlines are drawn on the walls</source>
+        <source>Whether the labels&apos; outlines are drawn on the walls</source>
         <translation>Si los contornos de las etiquetas se dibujan en las paredes</translation>
     </message>
     <message>
@@ -1773,7 +1793,7 @@ Coseno del ángulo con la más próxima de las seis</translation>
         <translation>Atenuar</translation>
     </message>
     <message>
-        <source>Shows less of the context's edges over the focus</source>
+        <source>Shows less of the context&apos;s edges over the focus</source>
         <translation>Muestra menos aristas del contexto sobre el foco</translation>
     </message>
     <message>
@@ -1781,7 +1801,7 @@ Coseno del ángulo con la más próxima de las seis</translation>
         <translation>Reforzar</translation>
     </message>
     <message>
-        <source>Shows more of the context's edges over the focus</source>
+        <source>Shows more of the context&apos;s edges over the focus</source>
         <translation>Muestra más aristas del contexto sobre el foco</translation>
     </message>
     <message>
@@ -1869,7 +1889,7 @@ Coseno del ángulo con la más próxima de las seis</translation>
         <translation>Un color</translation>
     </message>
     <message>
-        <source>The background's colour everywhere</source>
+        <source>The background&apos;s colour everywhere</source>
         <translation>El color del fondo en todas partes</translation>
     </message>
     <message>
@@ -1877,7 +1897,7 @@ Coseno del ángulo con la más próxima de las seis</translation>
         <translation>Degradado</translation>
     </message>
     <message>
-        <source>From the background's colour at the bottom to another at the top</source>
+        <source>From the background&apos;s colour at the bottom to another at the top</source>
         <translation>Del color del fondo abajo a otro arriba</translation>
     </message>
     <message>
@@ -1985,7 +2005,7 @@ Coseno del ángulo con la más próxima de las seis</translation>
         <translation>Desvío del eje</translation>
     </message>
     <message>
-        <source>Angle between the opening's axis and the line of sight, so that its depth shows</source>
+        <source>Angle between the opening&apos;s axis and the line of sight, so that its depth shows</source>
         <translation>Ángulo entre el eje de la abertura y la línea de visión, para que se vea su profundidad</translation>
     </message>
     <message>
@@ -1993,7 +2013,7 @@ Coseno del ángulo con la más próxima de las seis</translation>
         <translation>Dirección</translation>
     </message>
     <message>
-        <source>To which side of the picture the opening's axis leans: 0 is the right, 90 the top</source>
+        <source>To which side of the picture the opening&apos;s axis leans: 0 is the right, 90 the top</source>
         <translation>Hacia qué lado de la imagen se inclina el eje de la abertura: 0 es la derecha, 90 arriba</translation>
     </message>
     <message>
@@ -2009,7 +2029,7 @@ Coseno del ángulo con la más próxima de las seis</translation>
         <translation>Curvatura</translation>
     </message>
     <message>
-        <source>How much bends of the context's surface count as edges: eyes, nose, ears</source>
+        <source>How much bends of the context&apos;s surface count as edges: eyes, nose, ears</source>
         <translation>Cuánto cuentan como aristas las curvas de la superficie del contexto: ojos, nariz, orejas</translation>
     </message>
     <message>
@@ -2017,7 +2037,7 @@ Coseno del ángulo con la más próxima de las seis</translation>
         <translation>Silueta</translation>
     </message>
     <message>
-        <source>How much the context's outlines, where its surface is seen edge-on, count as edges</source>
+        <source>How much the context&apos;s outlines, where its surface is seen edge-on, count as edges</source>
         <translation>Cuánto cuentan como aristas los contornos del contexto, donde su superficie se ve de canto</translation>
     </message>
     <message>
@@ -2025,7 +2045,7 @@ Coseno del ángulo con la más próxima de las seis</translation>
         <translation>Iluminación</translation>
     </message>
     <message>
-        <source>How much the light on the context's surface shades its edges; 0 draws them flat</source>
+        <source>How much the light on the context&apos;s surface shades its edges; 0 draws them flat</source>
         <translation>Cuánto sombrea las aristas la luz sobre la superficie del contexto; 0 las dibuja planas</translation>
     </message>
     <message>
@@ -2033,7 +2053,7 @@ Coseno del ángulo con la más próxima de las seis</translation>
         <translation>Color propio</translation>
     </message>
     <message>
-        <source>How much the edges take the context's own colour</source>
+        <source>How much the edges take the context&apos;s own colour</source>
         <translation>Cuánto toman las aristas el color propio del contexto</translation>
     </message>
     <message>
@@ -2041,7 +2061,7 @@ Coseno del ángulo con la más próxima de las seis</translation>
         <translation>Saturación</translation>
     </message>
     <message>
-        <source>How saturated the context's own colour is in its edges</source>
+        <source>How saturated the context&apos;s own colour is in its edges</source>
         <translation>Cuán saturado es el color propio del contexto en sus aristas</translation>
     </message>
     <message>
@@ -2057,7 +2077,7 @@ Coseno del ángulo con la más próxima de las seis</translation>
         <translation>Color</translation>
     </message>
     <message>
-        <source>Colour of the context's edges</source>
+        <source>Colour of the context&apos;s edges</source>
         <translation>Color de las aristas del contexto</translation>
     </message>
     <message>
@@ -2197,7 +2217,7 @@ Coseno del ángulo con la más próxima de las seis</translation>
         <translation>Ocultar la mesa</translation>
     </message>
     <message>
-        <source>Whether 3-D pictures of a CT leave out the scanner's table, head rest and cushions</source>
+        <source>Whether 3-D pictures of a CT leave out the scanner&apos;s table, head rest and cushions</source>
         <translation>Si las imágenes 3D de una TC omiten la mesa del escáner, el reposacabezas y los cojines</translation>
     </message>
     <message>
@@ -2261,7 +2281,7 @@ Coseno del ángulo con la más próxima de las seis</translation>
         <translation>Cantidad</translation>
     </message>
     <message>
-        <source>How much of the context's edges Fade takes or Strengthen adds</source>
+        <source>How much of the context&apos;s edges Fade takes or Strengthen adds</source>
         <translation>Cuánto quita Atenuar o añade Reforzar de las aristas del contexto</translation>
     </message>
     <message>
@@ -2269,7 +2289,7 @@ Coseno del ángulo con la más próxima de las seis</translation>
         <translation>Hasta la superficie</translation>
     </message>
     <message>
-        <source>Whether Restore reaches to the context's first surface, however deep that lies</source>
+        <source>Whether Restore reaches to the context&apos;s first surface, however deep that lies</source>
         <translation>Si Restaurar llega hasta la primera superficie del contexto, por profunda que esté</translation>
     </message>
     <message>
@@ -2301,7 +2321,7 @@ Coseno del ángulo con la más próxima de las seis</translation>
         <translation>Solo el corte</translation>
     </message>
     <message>
-        <source>Context's edges</source>
+        <source>Context&apos;s edges</source>
         <translation>Aristas del contexto</translation>
     </message>
     <message>
@@ -2343,22 +2363,6 @@ Coseno del ángulo con la más próxima de las seis</translation>
     <message>
         <source>Even light that keeps colours to be told apart</source>
         <translation>Luz uniforme que mantiene distinguibles los colores</translation>
-    </message>
-    <message>
-        <source>Brain</source>
-        <translation>Cerebro</translation>
-    </message>
-    <message>
-        <source>Abdomen</source>
-        <translation>Abdomen</translation>
-    </message>
-    <message>
-        <source>Mediastinum</source>
-        <translation>Mediastino</translation>
-    </message>
-    <message>
-        <source>Lung</source>
-        <translation>Pulmón</translation>
     </message>
     <message>
         <source>the point lies outside of the volume</source>
@@ -2562,7 +2566,7 @@ Coseno del ángulo con la más próxima de las seis</translation>
     </message>
     <message>
         <source>How deep the focus lies; below 0 prefers views with little in front of it.
-vd1 = mean depth of the focus's pixels / diameter of the model's sphere</source>
+vd1 = mean depth of the focus&apos;s pixels / diameter of the model&apos;s sphere</source>
         <translation>Cuán profundo está el foco; por debajo de 0 prefiere vistas con poco delante.
 vd1 = profundidad media de los píxeles del foco / diámetro de la esfera del modelo</translation>
     </message>
@@ -2592,7 +2596,7 @@ vd3 = 1 − distancia de su centroide al centro / distancia de una esquina</tran
     </message>
     <message>
         <source>Below 0 avoids looking at the focus through a face where the scan cuts the body off.
-Share of the focus's pixels whose rays enter the volume inside the body</source>
+Share of the focus&apos;s pixels whose rays enter the volume inside the body</source>
         <translation>Por debajo de 0 evita mirar el foco a través de una cara donde la adquisición corta el cuerpo.
 Parte de los píxeles del foco cuyos rayos entran en el volumen dentro del cuerpo</translation>
     </message>
@@ -2669,7 +2673,7 @@ Coseno del ángulo con la más próxima de las seis</translation>
         <translation>Idioma (al próximo inicio)</translation>
     </message>
     <message>
-        <source>Language of the window's texts and numbers; it changes when Fenestra starts again</source>
+        <source>Language of the window&apos;s texts and numbers; it changes when Fenestra starts again</source>
         <translation>Idioma de los textos y números de la ventana; cambia cuando Fenestra se inicia de nuevo</translation>
     </message>
     <message>
@@ -2693,7 +2697,7 @@ Coseno del ángulo con la más próxima de las seis</translation>
         <translation>Forma</translation>
     </message>
     <message>
-        <source>How well the view shows the structure's shape around the point: onto what is flat, across what is long</source>
+        <source>How well the view shows the structure&apos;s shape around the point: onto what is flat, across what is long</source>
         <translation>Cuán bien muestra la vista la forma de la estructura en torno al punto: de frente a lo plano, de través a lo largo</translation>
     </message>
     <message>
@@ -2709,8 +2713,47 @@ Coseno del ángulo con la más próxima de las seis</translation>
         <translation>Convención neurológica</translation>
     </message>
     <message>
-        <source>Axial and coronal slices show the patient's left on the left; otherwise it is on the right, as radiologists have it</source>
+        <source>Axial and coronal slices show the patient&apos;s left on the left; otherwise it is on the right, as radiologists have it</source>
         <translation>Los cortes axiales y coronales muestran la izquierda del paciente a la izquierda; si no, a la derecha, como en radiología</translation>
+    </message>
+    <message>
+        <source>Objects of archives, at most</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Disk space for what was retrieved from archive servers: the series used longest ago go first</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>GB</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>de-identifying</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>listing files</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>Slab</name>
+    <message>
+        <source>MIP</source>
+        <translation>MIP</translation>
+    </message>
+    <message>
+        <source>MinIP</source>
+        <translation>MinIP</translation>
+    </message>
+    <message>
+        <source>Mean</source>
+        <translation>Media</translation>
+    </message>
+    <message>
+        <source>%1 %2 mm</source>
+        <translation>%1 %L2 mm</translation>
     </message>
 </context>
 <context>
@@ -2746,6 +2789,37 @@ Coseno del ángulo con la más próxima de las seis</translation>
     <message>
         <source>No focus</source>
         <translation>Sin foco</translation>
+    </message>
+</context>
+<context>
+    <name>ViewArea</name>
+    <message>
+        <source>&amp;Five views</source>
+        <translation>&amp;Cinco vistas</translation>
+    </message>
+    <message>
+        <source>C&amp;1 and C2</source>
+        <translation>C&amp;1 y C2</translation>
+    </message>
+    <message>
+        <source>&amp;3-D large, three slices</source>
+        <translation>&amp;3D grande, tres cortes</translation>
+    </message>
+    <message>
+        <source>&amp;Slices alone</source>
+        <translation>&amp;Solo cortes</translation>
+    </message>
+    <message>
+        <source>&amp;Axial large</source>
+        <translation>&amp;Axial grande</translation>
+    </message>
+    <message>
+        <source>F&amp;our: C1 and slices</source>
+        <translation>Cuatro: C1 &amp;y cortes</translation>
+    </message>
+    <message>
+        <source>C1 &amp;beside axial</source>
+        <translation>C1 &amp;junto a axial</translation>
     </message>
 </context>
 <context>
@@ -2791,7 +2865,7 @@ Coseno del ángulo con la más próxima de las seis</translation>
         <translation>DICOM, NIfTI, NRRD, MetaImage, MGH, Analyze y TIFF se reconocen por su contenido</translation>
     </message>
     <message>
-        <source>"Hide the table" in the panel Context brings it back</source>
+        <source>&quot;Hide the table&quot; in the panel Context brings it back</source>
         <translation>«Ocultar la mesa» en el panel Contexto la devuelve</translation>
     </message>
     <message>
@@ -3330,7 +3404,7 @@ Coseno del ángulo con la más próxima de las seis</translation>
         <translation>Cal&amp;idad en reposo</translation>
     </message>
     <message>
-        <source>Bound on the error that sampling leaves in a pixel's colour</source>
+        <source>Bound on the error that sampling leaves in a pixel&apos;s colour</source>
         <translation>Cota del error que el muestreo deja en el color de un píxel</translation>
     </message>
     <message>
@@ -3434,10 +3508,6 @@ Coseno del ángulo con la más próxima de las seis</translation>
         <translation>Nombre</translation>
     </message>
     <message>
-        <source>S&amp;lices</source>
-        <translation>&amp;Cortes</translation>
-    </message>
-    <message>
         <source>Flip &amp;left and right</source>
         <translation>&amp;Voltear izquierda y derecha</translation>
     </message>
@@ -3492,7 +3562,9 @@ Coseno del ángulo con la más próxima de las seis</translation>
     <message numerus="yes">
         <source>%n slices a second</source>
         <translation>
-            <numerusform>%n corte por segundo</numerusform><numerusform>%n cortes por segundo</numerusform></translation>
+            <numerusform>%n corte por segundo</numerusform>
+            <numerusform>%n cortes por segundo</numerusform>
+        </translation>
     </message>
     <message>
         <source>Play &amp;faster</source>
@@ -3602,6 +3674,26 @@ Coseno del ángulo con la más próxima de las seis</translation>
         <source>Bright structures</source>
         <translation>Estructuras brillantes</translation>
     </message>
+    <message>
+        <source>Send to archi&amp;ve…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The open series and its labels, to a server of the panel Archive</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>They are kept in</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>V</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shift+V</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>fenestra::viewer::AppearancePanel</name>
@@ -3620,6 +3712,179 @@ Coseno del ángulo con la más próxima de las seis</translation>
     <message>
         <source>own</source>
         <translation>propio</translation>
+    </message>
+</context>
+<context>
+    <name>fenestra::viewer::ArchiveDock</name>
+    <message>
+        <source>Archive</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>fenestra::viewer::ArchiveModel</name>
+    <message>
+        <source>Patient %1</source>
+        <translation type="unfinished">Paciente %1</translation>
+    </message>
+    <message>
+        <source>No name</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Study %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Series %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Born %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sex %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Accession number %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Study ID %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Part of the body: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Protocol: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Patient, study</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Date</source>
+        <translation type="unfinished">Fecha</translation>
+    </message>
+    <message>
+        <source>Type</source>
+        <translation type="unfinished">Tipo</translation>
+    </message>
+    <message>
+        <source>Images</source>
+        <translation type="unfinished">Imágenes</translation>
+    </message>
+</context>
+<context>
+    <name>fenestra::viewer::ArchivePanel</name>
+    <message>
+        <source>No server is entered, so nothing goes over the network. Add the archive server (PACS) that holds your studies; its administrator knows what to enter.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Searching…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cancelled.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The archive server that is asked</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Test</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Asks the server whether it answers (echo), and says what is wrong</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Servers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Add, edit and remove servers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Add a server…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Edit…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation type="unfinished">Quitar</translation>
+    </message>
+    <message>
+        <source>Remove the server</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Remove %1?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Images</source>
+        <translation type="unfinished">Imágenes</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation type="unfinished">Abrir</translation>
+    </message>
+    <message>
+        <source>Retrieves the study or series, and opens it once it is whole (double-click, or drag onto a view)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Retrieve</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fetches what is selected into the cache, to be opened later</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>More…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Asks for more of the studies that match</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Asking %1…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 answers, in %2 ms.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing matches. Check the spelling; an asterisk stands for any text, as in *jane*.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Studies: %1, of patients: %2.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There are more: narrow the search, or ask for more.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The server does not match by some of the fields.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -3660,7 +3925,7 @@ Coseno del ángulo con la más próxima de las seis</translation>
         <translation>Ya está abierto hasta el foco</translation>
     </message>
     <message>
-        <source>The context's edges are switched off</source>
+        <source>The context&apos;s edges are switched off</source>
         <translation>Las aristas del contexto están desactivadas</translation>
     </message>
     <message>
@@ -3700,7 +3965,7 @@ Coseno del ángulo con la más próxima de las seis</translation>
         <translation>Método</translation>
     </message>
     <message>
-        <source>Context's edges</source>
+        <source>Context&apos;s edges</source>
         <translation>Aristas del contexto</translation>
     </message>
     <message>
@@ -3776,6 +4041,45 @@ Coseno del ángulo con la más próxima de las seis</translation>
     </message>
 </context>
 <context>
+    <name>fenestra::viewer::CacheRow</name>
+    <message>
+        <source>Move…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Chooses where objects are kept from now on; those of before stay where they are</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keep objects of archives in</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Clear</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Removes all objects that were retrieved; not while some come in</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Remove all objects that were retrieved? The servers still have them, but sessions that refer to them find their data no more.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Clears…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Counts…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 in %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>fenestra::viewer::CamerasPanel</name>
     <message>
         <source>Place cameras</source>
@@ -3790,7 +4094,7 @@ Coseno del ángulo con la más próxima de las seis</translation>
         <translation>Busca la mejor vista del foco y la que la complementa (F5)</translation>
     </message>
     <message>
-        <source>The two views see &lt;b&gt;%1 %&lt;/b&gt; of the focus's surface</source>
+        <source>The two views see &lt;b&gt;%1 %&lt;/b&gt; of the focus&apos;s surface</source>
         <translation>Las dos vistas ven el &lt;b&gt;%1 %&lt;/b&gt; de la superficie del foco</translation>
     </message>
     <message>
@@ -3895,11 +4199,11 @@ Coseno del ángulo con la más próxima de las seis</translation>
         <translation>I – S</translation>
     </message>
     <message>
-        <source>The patient's right end of the box</source>
+        <source>The patient&apos;s right end of the box</source>
         <translation>Extremo derecho de la caja (del paciente)</translation>
     </message>
     <message>
-        <source>The patient's left end of the box</source>
+        <source>The patient&apos;s left end of the box</source>
         <translation>Extremo izquierdo de la caja (del paciente)</translation>
     </message>
     <message>
@@ -3919,7 +4223,7 @@ Coseno del ángulo con la más próxima de las seis</translation>
         <translation>Extremo superior de la caja</translation>
     </message>
     <message>
-        <source>Drag a plane's square to move it, and the ball at its arrow to tilt it, in any view</source>
+        <source>Drag a plane&apos;s square to move it, and the ball at its arrow to tilt it, in any view</source>
         <translation>Arrastre el cuadrado de un plano para moverlo y la bola de su flecha para inclinarlo, en cualquier vista</translation>
     </message>
     <message>
@@ -3943,7 +4247,7 @@ Coseno del ángulo con la más próxima de las seis</translation>
         <translation>Frente a la cámara C1</translation>
     </message>
     <message>
-        <source>3-D pictures show only the inside of a box along the volume's axes</source>
+        <source>3-D pictures show only the inside of a box along the volume&apos;s axes</source>
         <translation>Las imágenes 3D muestran solo el interior de una caja según los ejes del volumen</translation>
     </message>
     <message>
@@ -4025,7 +4329,7 @@ Coseno del ángulo con la más próxima de las seis</translation>
         <translation>Aspecto</translation>
     </message>
     <message>
-        <source>Smooth edges, by several rays a pixel, are the adaptive cutaway's alone</source>
+        <source>Smooth edges, by several rays a pixel, are the adaptive cutaway&apos;s alone</source>
         <translation>Las aristas suaves, con varios rayos por píxel, son solo del seccionado adaptativo</translation>
     </message>
     <message>
@@ -4047,6 +4351,17 @@ Coseno del ángulo con la más próxima de las seis</translation>
     <message>
         <source>This method has no line: it cuts nothing away</source>
         <translation>Este método no tiene línea: no corta nada</translation>
+    </message>
+</context>
+<context>
+    <name>fenestra::viewer::DockFolding</name>
+    <message>
+        <source>Fold %1</source>
+        <translation>Plegar %1</translation>
+    </message>
+    <message>
+        <source>Folds this panel to its title, so that those above have more room</source>
+        <translation>Pliega este panel a su título, para dar más sitio a los de arriba</translation>
     </message>
 </context>
 <context>
@@ -4289,6 +4604,132 @@ Coseno del ángulo con la más próxima de las seis</translation>
     </message>
 </context>
 <context>
+    <name>fenestra::viewer::KeyBindings</name>
+    <message>
+        <source>It is not JSON, from character %1 on: %2.</source>
+        <translation>No es JSON, desde el carácter %1: %2.</translation>
+    </message>
+    <message>
+        <source>It does not hold Fenestra&apos;s keys: choose a file that Export in this dialog wrote.</source>
+        <translation>No contiene las teclas de Fenestra: elija un archivo escrito con Exportar en este diálogo.</translation>
+    </message>
+    <message>
+        <source>It was written by a newer version of Fenestra.</source>
+        <translation>Lo escribió una versión más reciente de Fenestra.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot;, of &quot;%2&quot;, is no key.</source>
+        <translation>«%1», de «%2», no es una tecla.</translation>
+    </message>
+    <message>
+        <source>%1, of &quot;%2&quot;, is a key of the views.</source>
+        <translation>%1, de «%2», es una tecla de las vistas.</translation>
+    </message>
+    <message>
+        <source>%1 is the key of both &quot;%2&quot; and &quot;%3&quot;.</source>
+        <translation>%1 es la tecla de «%2» y de «%3».</translation>
+    </message>
+</context>
+<context>
+    <name>fenestra::viewer::KeysDialog</name>
+    <message>
+        <source>Change keys</source>
+        <translation>Cambiar teclas</translation>
+    </message>
+    <message>
+        <source>Show entries with these words or keys</source>
+        <translation>Mostrar entradas con estas palabras o teclas</translation>
+    </message>
+    <message>
+        <source>Menu</source>
+        <translation>Menú</translation>
+    </message>
+    <message>
+        <source>Entry</source>
+        <translation>Entrada</translation>
+    </message>
+    <message>
+        <source>Keys</source>
+        <translation>Teclas</translation>
+    </message>
+    <message>
+        <source>&amp;Take it</source>
+        <translation>&amp;Tomarla</translation>
+    </message>
+    <message>
+        <source>Gives the key to this entry, and the other one loses it</source>
+        <translation>Da la tecla a esta entrada, y la otra la pierde</translation>
+    </message>
+    <message>
+        <source>&amp;No key</source>
+        <translation>&amp;Sin tecla</translation>
+    </message>
+    <message>
+        <source>As it &amp;was</source>
+        <translation>&amp;Como estaba</translation>
+    </message>
+    <message>
+        <source>The key that the entry comes with</source>
+        <translation>La tecla con la que viene la entrada</translation>
+    </message>
+    <message>
+        <source>&amp;Key</source>
+        <translation>T&amp;ecla</translation>
+    </message>
+    <message>
+        <source>&amp;All as they were</source>
+        <translation>T&amp;odas como estaban</translation>
+    </message>
+    <message>
+        <source>&amp;Export…</source>
+        <translation>E&amp;xportar…</translation>
+    </message>
+    <message>
+        <source>&amp;Import…</source>
+        <translation>&amp;Importar…</translation>
+    </message>
+    <message>
+        <source>Click into the box and press the key. Changed keys are bold.</source>
+        <translation>Haga clic en la casilla y pulse la tecla. Las teclas cambiadas están en negrita.</translation>
+    </message>
+    <message>
+        <source>%1 is a key of the views: no entry can have it.</source>
+        <translation>%1 es una tecla de las vistas: ninguna entrada puede tenerla.</translation>
+    </message>
+    <message>
+        <source>%1 is the key of %2 → %3. Take it?</source>
+        <translation>%1 es la tecla de %2 → %3. ¿Tomarla?</translation>
+    </message>
+    <message>
+        <source>Export keys</source>
+        <translation>Exportar teclas</translation>
+    </message>
+    <message>
+        <source>Written to %1.</source>
+        <translation>Escrito en %1.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be written: %2. Choose another folder.</source>
+        <translation>No se puede escribir %1: %2. Elija otra carpeta.</translation>
+    </message>
+    <message>
+        <source>Import keys</source>
+        <translation>Importar teclas</translation>
+    </message>
+    <message>
+        <source>Keys (*.json);;All files (*)</source>
+        <translation>Teclas (*.json);;Todos los archivos (*)</translation>
+    </message>
+    <message>
+        <source>%1 cannot be read: %2.</source>
+        <translation>No se puede leer %1: %2.</translation>
+    </message>
+    <message>
+        <source>Taken over from %1.</source>
+        <translation>Tomado de %1.</translation>
+    </message>
+</context>
+<context>
     <name>fenestra::viewer::LabelEditPanel</name>
     <message>
         <source>Grow</source>
@@ -4357,7 +4798,7 @@ Coseno del ángulo con la más próxima de las seis</translation>
 <context>
     <name>fenestra::viewer::LabelList</name>
     <message>
-        <source>No structure's name has these words.</source>
+        <source>No structure&apos;s name has these words.</source>
         <translation>Ninguna estructura tiene estas palabras.</translation>
     </message>
     <message>
@@ -4397,7 +4838,7 @@ Coseno del ángulo con la más próxima de las seis</translation>
         <translation>Color…</translation>
     </message>
     <message>
-        <source>The label map's own colour</source>
+        <source>The label map&apos;s own colour</source>
         <translation>El color propio del mapa de etiquetas</translation>
     </message>
     <message>
@@ -4450,7 +4891,9 @@ Coseno del ángulo con la más próxima de las seis</translation>
     <message numerus="yes">
         <source>%n label(s) without voxels</source>
         <translation>
-            <numerusform>%n etiqueta sin vóxeles</numerusform><numerusform>%n etiquetas sin vóxeles</numerusform></translation>
+            <numerusform>%n etiqueta sin vóxeles</numerusform>
+            <numerusform>%n etiquetas sin vóxeles</numerusform>
+        </translation>
     </message>
     <message>
         <source>Structure</source>
@@ -4551,7 +4994,9 @@ Coseno del ángulo con la más próxima de las seis</translation>
     <message numerus="yes">
         <source>%n more</source>
         <translation>
-            <numerusform>%n más</numerusform><numerusform>%n más</numerusform></translation>
+            <numerusform>%n más</numerusform>
+            <numerusform>%n más</numerusform>
+        </translation>
     </message>
     <message>
         <source>Dismiss</source>
@@ -4767,7 +5212,9 @@ Un punto marcado en un corte: un clic vuelve ambas vistas hacia la estructura de
     <message numerus="yes">
         <source>%n views</source>
         <translation>
-            <numerusform>%n vista</numerusform><numerusform>%n vistas</numerusform></translation>
+            <numerusform>%n vista</numerusform>
+            <numerusform>%n vistas</numerusform>
+        </translation>
     </message>
     <message>
         <source>Finer near the best</source>
@@ -4787,7 +5234,7 @@ Un punto marcado en un corte: un clic vuelve ambas vistas hacia la estructura de
     </message>
     <message>
         <source>Where the second view may be, always 60° to 120° from the first.
-To its right: the half sphere c2·a ≥ 0 around the first view's right axis a. All around: the band |c1·c2| ≤ sin δ</source>
+To its right: the half sphere c2·a ≥ 0 around the first view&apos;s right axis a. All around: the band |c1·c2| ≤ sin δ</source>
         <translation>Dónde puede estar la segunda vista, siempre a 60°–120° de la primera.
 A su derecha: la semiesfera c2·a ≥ 0 en torno al eje derecho a de la primera vista. Alrededor: la banda |c1·c2| ≤ sin δ</translation>
     </message>
@@ -4800,7 +5247,7 @@ A su derecha: la semiesfera c2·a ≥ 0 en torno al eje derecho a de la primera 
         <translation>δ: cuánto puede apartarse la segunda vista del ángulo recto con la primera</translation>
     </message>
     <message>
-        <source>Choose the two views that together see most of the focus's surface.
+        <source>Choose the two views that together see most of the focus&apos;s surface.
 Off: first the best view, then the best one beside it</source>
         <translation>Elige las dos vistas que juntas ven más superficie del foco.
 Desactivado: primero la mejor vista, luego la mejor junto a ella</translation>
@@ -4865,11 +5312,11 @@ Desactivado: primero la mejor vista, luego la mejor junto a ella</translation>
         <translation>Exportar el preajuste</translation>
     </message>
     <message>
-        <source>There is a preset "%1". Replace it?</source>
+        <source>There is a preset &quot;%1&quot;. Replace it?</source>
         <translation>Hay un preajuste «%1». ¿Reemplazarlo?</translation>
     </message>
     <message>
-        <source>Delete the preset "%1"?</source>
+        <source>Delete the preset &quot;%1&quot;?</source>
         <translation>¿Eliminar el preajuste «%1»?</translation>
     </message>
     <message>
@@ -5024,74 +5471,468 @@ Desactivado: primero la mejor vista, luego la mejor junto a ella</translation>
     </message>
 </context>
 <context>
-    <name>fenestra::viewer::SeriesChooser</name>
+    <name>fenestra::viewer::RetrievalRow</name>
     <message>
-        <source>%1 time point %2 of %3</source>
-        <translation>%1 instante %2 de %3</translation>
+        <source>Pause</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1 mm</source>
-        <translation>%L1 mm</translation>
+        <source>Go on</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>every %1</source>
-        <translation>cada %1</translation>
+        <source>Retry</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1, every %2</source>
-        <translation>%1, cada %2</translation>
+        <source>Open</source>
+        <translation type="unfinished">Abrir</translation>
     </message>
     <message>
-        <source>Patient %1</source>
-        <translation>Paciente %1</translation>
+        <source>Waits for others</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Picture</source>
-        <translation>Imagen</translation>
+        <source>Stops…</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Patient</source>
-        <translation>Paciente</translation>
+        <source>Paused; what came is kept</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>No.</source>
-        <translation>N.º</translation>
+        <source>Whole</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Type</source>
-        <translation>Tipo</translation>
+        <source>Cancels it, and takes it out of the list. What came stays in the cache</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Retrieval %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>fenestra::viewer::Retrievals</name>
+    <message>
+        <source>The server needs a login.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Its server is no longer in the list.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>fenestra::viewer::SearchForm</name>
+    <message>
+        <source>Search</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Asks the server for the studies that match. Empty fields match all (Return)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Saved searches</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Searches under a name. A patient&apos;s name, ID and accession number are not saved</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation type="unfinished">Nombre</translation>
+    </message>
+    <message>
+        <source>ID</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Accession</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Date</source>
-        <translation>Fecha</translation>
+        <translation type="unfinished">Fecha</translation>
+    </message>
+    <message>
+        <source>Type</source>
+        <translation type="unfinished">Tipo</translation>
     </message>
     <message>
         <source>Description</source>
-        <translation>Descripción</translation>
+        <translation type="unfinished">Descripción</translation>
     </message>
     <message>
-        <source>Part</source>
-        <translation>Parte</translation>
+        <source>An asterisk stands for any text, a question mark for one character</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Thickness</source>
-        <translation>Grosor</translation>
+        <source>Family name, or &quot;Doe, Jane&quot;: all names that begin so. %1, as in *jane*</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Kernel</source>
-        <translation>Kernel</translation>
+        <source>The patient&apos;s ID as it is. %1, as in 47*</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Size</source>
-        <translation>Tamaño</translation>
+        <source>The accession number as it is. %1, as in A2024*</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Images</source>
-        <translation>Imágenes</translation>
+        <source>All descriptions of studies that hold this text. %1, as in head*</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Choose a series</source>
-        <translation>Elegir una serie</translation>
+        <source>The kind of images that the study holds</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Any</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>When the study was made</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Today</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Last 7 days</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Last 30 days</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Last 365 days</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>From … to</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>First day</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Last day</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation type="unfinished">Cancelar</translation>
+    </message>
+    <message>
+        <source>Save this search…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save this search</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Its name (date, type and description are saved, nothing of a patient):</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Forget</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>fenestra::viewer::SendDialog</name>
+    <message>
+        <source>Nothing is open.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What is open is not DICOM, and archives keep nothing else.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Send to an archive</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Object</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Answer of the server</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Send</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The server that gets the objects</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The open series, images: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Its files as they are</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>All labels, as a DICOM segmentation</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>With their names and colours, for the patient and the series that are open</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The objects hold the patient&apos;s name and ID: an archive files them by these.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Server</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Image %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Labels</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>accepted</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>refused</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Accepted: %1 of %2.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>fenestra::viewer::SeriesPanel</name>
+    <message>
+        <source>Series</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Patient %1</source>
+        <translation type="unfinished">Paciente %1</translation>
+    </message>
+    <message>
+        <source>Patient without a name</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>1 image</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n images</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1, open</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>fenestra::viewer::ServerDialog</name>
+    <message>
+        <source>Archive server</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>As you call it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>DICOM</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>DICOM over TLS</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>DICOMweb</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What the server speaks; its administrator knows</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation type="unfinished">Nombre</translation>
+    </message>
+    <message>
+        <source>Speaks</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Its name or address in the network</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The port that it listens on</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Its AE title, at most 16 letters and digits</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Our AE title: its administrator enters it at the server</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>C-GET, over our connection</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>C-MOVE, the server connects to us</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How objects come. C-GET needs nothing more; with C-MOVE our address and port are entered at the server, and the port is open while objects come</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Address of this machine that the server sends to</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Port of this machine that the server sends to</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Host</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Port</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Its AE title</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Our AE title</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Retrieve by</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Our address</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Our port</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The address of DICOMweb&apos;s root. A login goes out over https alone</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>User and password</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Token</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The password or token is asked for when it is needed, and forgotten when the program ends</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Who you are to the server</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Address</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Login</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>User</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Certificates that may sign the server&apos;s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Certificates in PEM that may sign the server&apos;s, or its own</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Our certificate</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>In PEM, where the server asks for one</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The key of our certificate</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>In PEM, without a passphrase</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Trusted certificates</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Its key</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose the file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Certificates and keys (*.pem *.crt *.cer *.key);;All files (*)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Token for %1:</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Password of %1 for %2:</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -5113,11 +5954,11 @@ Desactivado: primero la mejor vista, luego la mejor junto a ella</translation>
         <translation>¿Dónde están ahora los datos?</translation>
     </message>
     <message>
-        <source>The session's label map is needed.</source>
+        <source>The session&apos;s label map is needed.</source>
         <translation>Se necesita el mapa de etiquetas de la sesión.</translation>
     </message>
     <message>
-        <source>The session's volume is needed.</source>
+        <source>The session&apos;s volume is needed.</source>
         <translation>Se necesita el volumen de la sesión.</translation>
     </message>
     <message>
@@ -5133,7 +5974,7 @@ Desactivado: primero la mejor vista, luego la mejor junto a ella</translation>
         <translation>Los datos</translation>
     </message>
     <message>
-        <source>The data's folder</source>
+        <source>The data&apos;s folder</source>
         <translation>La carpeta de los datos</translation>
     </message>
     <message>
@@ -5163,7 +6004,9 @@ Desactivado: primero la mejor vista, luego la mejor junto a ella</translation>
     <message numerus="yes">
         <source>%n more</source>
         <translation>
-            <numerusform>%n más</numerusform><numerusform>%n más</numerusform></translation>
+            <numerusform>%n más</numerusform>
+            <numerusform>%n más</numerusform>
+        </translation>
     </message>
     <message>
         <source>Save the session</source>
@@ -5412,12 +6255,16 @@ Desactivado: primero la mejor vista, luego la mejor junto a ella</translation>
     <message numerus="yes">
         <source>There are %n time points here; this is number %1.</source>
         <translation>
-            <numerusform>Aquí hay %n instante; este es el número %1.</numerusform><numerusform>Aquí hay %n instantes; este es el número %1.</numerusform></translation>
+            <numerusform>Aquí hay %n instante; este es el número %1.</numerusform>
+            <numerusform>Aquí hay %n instantes; este es el número %1.</numerusform>
+        </translation>
     </message>
     <message numerus="yes">
         <source>There are %n series here; open is %1.</source>
         <translation>
-            <numerusform>Aquí hay %n serie; está abierta %1.</numerusform><numerusform>Aquí hay %n series; está abierta %1.</numerusform></translation>
+            <numerusform>Aquí hay %n serie; está abierta %1.</numerusform>
+            <numerusform>Aquí hay %n series; está abierta %1.</numerusform>
+        </translation>
     </message>
     <message>
         <source>Choose…</source>
@@ -5434,7 +6281,9 @@ Desactivado: primero la mejor vista, luego la mejor junto a ella</translation>
     <message numerus="yes">
         <source>%n segmentations of this series lie beside it.</source>
         <translation>
-            <numerusform>Junto a ella hay %n segmentación de esta serie.</numerusform><numerusform>Junto a ella hay %n segmentaciones de esta serie.</numerusform></translation>
+            <numerusform>Junto a ella hay %n segmentación de esta serie.</numerusform>
+            <numerusform>Junto a ella hay %n segmentaciones de esta serie.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -5444,7 +6293,7 @@ Desactivado: primero la mejor vista, luego la mejor junto a ella</translation>
         <translation>%L1 ml</translation>
     </message>
     <message>
-        <source>The region's volume against its tolerance, both logarithmic. A cliff is a leak; green marks where the region hardly changes</source>
+        <source>The region&apos;s volume against its tolerance, both logarithmic. A cliff is a leak; green marks where the region hardly changes</source>
         <translation>Volumen de la región frente a su tolerancia, ambos logarítmicos. Un acantilado es una fuga; el verde marca donde la región apenas cambia</translation>
     </message>
 </context>
@@ -5667,18 +6516,6 @@ Desactivado: primero la mejor vista, luego la mejor junto a ella</translation>
 
 %1
 
-The slices below work without it.</source>
-        <translation>Las vistas 3D no están disponibles aquí.
-
-%1
-
-Los cortes de abajo funcionan sin ellas.</translation>
-    </message>
-    <message>
-        <source>3-D views are not available here.
-
-%1
-
 The slices work without it.</source>
         <translation>Las vistas 3D no están disponibles aquí.
 
@@ -5787,7 +6624,7 @@ Los cortes funcionan sin ellas.</translation>
         <translation>Fantomas incorporados</translation>
     </message>
     <message>
-        <source>Bodies made of simple shapes, with every structure labelled. Nobody's data: try everything on them.</source>
+        <source>Bodies made of simple shapes, with every structure labelled. Nobody&apos;s data: try everything on them.</source>
         <translation>Cuerpos de formas simples, con todas sus estructuras etiquetadas. No son datos de nadie: pruébelo todo en ellos.</translation>
     </message>
     <message>
@@ -5848,263 +6685,6 @@ Los cortes funcionan sin ellas.</translation>
     <message>
         <source>&amp;Level</source>
         <translation>&amp;Nivel</translation>
-    </message>
-</context>
-<context>
-    <name>PlaneMenu</name>
-    <message>
-        <source>Slab of the %1 slice</source>
-        <translation>Bloque del corte: %1</translation>
-    </message>
-    <message>
-        <source>Thickness in mm, half of it to each side; 0 is the slice alone:</source>
-        <translation>Grosor en mm, la mitad a cada lado; 0 es el corte solo:</translation>
-    </message>
-    <message>
-        <source>Off: the slice alone</source>
-        <translation>Desactivado: el corte solo</translation>
-    </message>
-    <message>
-        <source>%1 mm</source>
-        <translation>%L1 mm</translation>
-    </message>
-    <message>
-        <source>Other: %1 mm…</source>
-        <translation>Otro: %1 mm…</translation>
-    </message>
-    <message>
-        <source>Other…</source>
-        <translation>Otro…</translation>
-    </message>
-    <message>
-        <source>Maximum (MIP)</source>
-        <translation>Máximo (MIP)</translation>
-    </message>
-    <message>
-        <source>Minimum (MinIP)</source>
-        <translation>Mínimo (MinIP)</translation>
-    </message>
-    <message>
-        <source>Mean</source>
-        <translation>Media</translation>
-    </message>
-    <message>
-        <source>All slices as this one</source>
-        <translation>Todos los cortes como este</translation>
-    </message>
-    <message>
-        <source>Slice faces C1</source>
-        <translation>Corte frente a C1</translation>
-    </message>
-    <message>
-        <source>Slice faces C2</source>
-        <translation>Corte frente a C2</translation>
-    </message>
-    <message>
-        <source>Slab</source>
-        <translation>Bloque</translation>
-    </message>
-    <message>
-        <source>Reset this slice's plane</source>
-        <translation>Restablecer el plano de este corte</translation>
-    </message>
-    <message>
-        <source>Reset all planes</source>
-        <translation>Restablecer todos los planos</translation>
-    </message>
-</context>
-<context>
-    <name>PlaneTool</name>
-    <message>
-        <source>%1°</source>
-        <translation>%L1°</translation>
-    </message>
-</context>
-<context>
-    <name>Slab</name>
-    <message>
-        <source>MIP</source>
-        <translation>MIP</translation>
-    </message>
-    <message>
-        <source>MinIP</source>
-        <translation>MinIP</translation>
-    </message>
-    <message>
-        <source>Mean</source>
-        <translation>Media</translation>
-    </message>
-    <message>
-        <source>%1 %2 mm</source>
-        <translation>%1 %L2 mm</translation>
-    </message>
-</context>
-<context>
-    <name>ViewArea</name>
-    <message>
-        <source>&amp;Five views</source>
-        <translation>&amp;Cinco vistas</translation>
-    </message>
-    <message>
-        <source>C&amp;1 and C2</source>
-        <translation>C&amp;1 y C2</translation>
-    </message>
-    <message>
-        <source>&amp;3-D large, three slices</source>
-        <translation>&amp;3D grande, tres cortes</translation>
-    </message>
-    <message>
-        <source>&amp;Slices alone</source>
-        <translation>&amp;Solo cortes</translation>
-    </message>
-    <message>
-        <source>&amp;Axial large</source>
-        <translation>&amp;Axial grande</translation>
-    </message>
-    <message>
-        <source>F&amp;our: C1 and slices</source>
-        <translation>Cuatro: C1 &amp;y cortes</translation>
-    </message>
-    <message>
-        <source>C1 &amp;beside axial</source>
-        <translation>C1 &amp;junto a axial</translation>
-    </message>
-</context>
-<context>
-    <name>fenestra::viewer::DockFolding</name>
-    <message>
-        <source>Fold %1</source>
-        <translation>Plegar %1</translation>
-    </message>
-    <message>
-        <source>Folds this panel to its title, so that those above have more room</source>
-        <translation>Pliega este panel a su título, para dar más sitio a los de arriba</translation>
-    </message>
-</context>
-<context>
-    <name>fenestra::viewer::KeyBindings</name>
-    <message>
-        <source>It is not JSON, from character %1 on: %2.</source>
-        <translation>No es JSON, desde el carácter %1: %2.</translation>
-    </message>
-    <message>
-        <source>It does not hold Fenestra's keys: choose a file that Export in this dialog wrote.</source>
-        <translation>No contiene las teclas de Fenestra: elija un archivo escrito con Exportar en este diálogo.</translation>
-    </message>
-    <message>
-        <source>It was written by a newer version of Fenestra.</source>
-        <translation>Lo escribió una versión más reciente de Fenestra.</translation>
-    </message>
-    <message>
-        <source>"%1", of "%2", is no key.</source>
-        <translation>«%1», de «%2», no es una tecla.</translation>
-    </message>
-    <message>
-        <source>%1, of "%2", is a key of the views.</source>
-        <translation>%1, de «%2», es una tecla de las vistas.</translation>
-    </message>
-    <message>
-        <source>%1 is the key of both "%2" and "%3".</source>
-        <translation>%1 es la tecla de «%2» y de «%3».</translation>
-    </message>
-</context>
-<context>
-    <name>fenestra::viewer::KeysDialog</name>
-    <message>
-        <source>Change keys</source>
-        <translation>Cambiar teclas</translation>
-    </message>
-    <message>
-        <source>Show entries with these words or keys</source>
-        <translation>Mostrar entradas con estas palabras o teclas</translation>
-    </message>
-    <message>
-        <source>Menu</source>
-        <translation>Menú</translation>
-    </message>
-    <message>
-        <source>Entry</source>
-        <translation>Entrada</translation>
-    </message>
-    <message>
-        <source>Keys</source>
-        <translation>Teclas</translation>
-    </message>
-    <message>
-        <source>&amp;Take it</source>
-        <translation>&amp;Tomarla</translation>
-    </message>
-    <message>
-        <source>Gives the key to this entry, and the other one loses it</source>
-        <translation>Da la tecla a esta entrada, y la otra la pierde</translation>
-    </message>
-    <message>
-        <source>&amp;No key</source>
-        <translation>&amp;Sin tecla</translation>
-    </message>
-    <message>
-        <source>As it &amp;was</source>
-        <translation>&amp;Como estaba</translation>
-    </message>
-    <message>
-        <source>The key that the entry comes with</source>
-        <translation>La tecla con la que viene la entrada</translation>
-    </message>
-    <message>
-        <source>&amp;Key</source>
-        <translation>T&amp;ecla</translation>
-    </message>
-    <message>
-        <source>&amp;All as they were</source>
-        <translation>T&amp;odas como estaban</translation>
-    </message>
-    <message>
-        <source>&amp;Export…</source>
-        <translation>E&amp;xportar…</translation>
-    </message>
-    <message>
-        <source>&amp;Import…</source>
-        <translation>&amp;Importar…</translation>
-    </message>
-    <message>
-        <source>Click into the box and press the key. Changed keys are bold.</source>
-        <translation>Haga clic en la casilla y pulse la tecla. Las teclas cambiadas están en negrita.</translation>
-    </message>
-    <message>
-        <source>%1 is a key of the views: no entry can have it.</source>
-        <translation>%1 es una tecla de las vistas: ninguna entrada puede tenerla.</translation>
-    </message>
-    <message>
-        <source>%1 is the key of %2 → %3. Take it?</source>
-        <translation>%1 es la tecla de %2 → %3. ¿Tomarla?</translation>
-    </message>
-    <message>
-        <source>Export keys</source>
-        <translation>Exportar teclas</translation>
-    </message>
-    <message>
-        <source>Written to %1.</source>
-        <translation>Escrito en %1.</translation>
-    </message>
-    <message>
-        <source>%1 cannot be written: %2. Choose another folder.</source>
-        <translation>No se puede escribir %1: %2. Elija otra carpeta.</translation>
-    </message>
-    <message>
-        <source>Import keys</source>
-        <translation>Importar teclas</translation>
-    </message>
-    <message>
-        <source>Keys (*.json);;All files (*)</source>
-        <translation>Teclas (*.json);;Todos los archivos (*)</translation>
-    </message>
-    <message>
-        <source>%1 cannot be read: %2.</source>
-        <translation>No se puede leer %1: %2.</translation>
-    </message>
-    <message>
-        <source>Taken over from %1.</source>
-        <translation>Tomado de %1.</translation>
     </message>
 </context>
 </TS>

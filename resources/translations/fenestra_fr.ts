@@ -20,7 +20,7 @@
     <name>Dialogs</name>
     <message>
         <source>Menu: %1</source>
-        <translation>Menu : %1</translation>
+        <translation>Menu&#xa0;: %1</translation>
     </message>
     <message>
         <source>Keys and mouse</source>
@@ -36,7 +36,7 @@
     </message>
     <message>
         <source> (shader schedule: %1)</source>
-        <translation> (ordonnancement des shaders : %1)</translation>
+        <translation> (ordonnancement des shaders&#xa0;: %1)</translation>
     </message>
     <message>
         <source>About Fenestra</source>
@@ -44,7 +44,7 @@
     </message>
     <message>
         <source>&lt;h3&gt;Fenestra %1&lt;/h3&gt;&lt;p&gt;A medical volume viewer that opens an adaptive cutaway around the structure you want to see.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Not for diagnostic use.&lt;/b&gt;&lt;/p&gt;&lt;p&gt;Free software under the GNU General Public License, version 3 or later. It comes with no warranty.&lt;/p&gt;&lt;p&gt;3-D views: %2&lt;/p&gt;</source>
-        <translation>&lt;h3&gt;Fenestra %1&lt;/h3&gt;&lt;p&gt;Une visionneuse de volumes médicaux qui ouvre un écorché adaptatif autour de la structure à voir.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Ne pas utiliser pour le diagnostic.&lt;/b&gt;&lt;/p&gt;&lt;p&gt;Logiciel libre sous licence publique générale GNU, version 3 ou ultérieure. Sans aucune garantie.&lt;/p&gt;&lt;p&gt;Vues 3D : %2&lt;/p&gt;</translation>
+        <translation>&lt;h3&gt;Fenestra %1&lt;/h3&gt;&lt;p&gt;Une visionneuse de volumes médicaux qui ouvre un écorché adaptatif autour de la structure à voir.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Ne pas utiliser pour le diagnostic.&lt;/b&gt;&lt;/p&gt;&lt;p&gt;Logiciel libre sous licence publique générale GNU, version 3 ou ultérieure. Sans aucune garantie.&lt;/p&gt;&lt;p&gt;Vues 3D&#xa0;: %2&lt;/p&gt;</translation>
     </message>
     <message>
         <source>Slices</source>
@@ -56,7 +56,7 @@
     </message>
     <message>
         <source>crosshair; the label there, or the region around the place, becomes the focus</source>
-        <translation>réticule ; l'étiquette à cet endroit, ou la région autour, devient la cible</translation>
+        <translation>réticule&#xa0;; l&apos;étiquette à cet endroit, ou la région autour, devient la cible</translation>
     </message>
     <message>
         <source>Ctrl+click</source>
@@ -64,7 +64,7 @@
     </message>
     <message>
         <source>the label joins or leaves the focus</source>
-        <translation>l'étiquette rejoint ou quitte la cible</translation>
+        <translation>l&apos;étiquette rejoint ou quitte la cible</translation>
     </message>
     <message>
         <source>Drag</source>
@@ -108,7 +108,7 @@
     </message>
     <message>
         <source>draw the measure whose tool is chosen; Esc ends it</source>
-        <translation>dessiner la mesure choisie ; Échap la termine</translation>
+        <translation>dessiner la mesure choisie&#xa0;; Échap la termine</translation>
     </message>
     <message>
         <source>Drag a handle or line</source>
@@ -116,7 +116,7 @@
     </message>
     <message>
         <source>move the end, or the measure</source>
-        <translation>déplacer l'extrémité ou la mesure</translation>
+        <translation>déplacer l&apos;extrémité ou la mesure</translation>
     </message>
     <message>
         <source>Right click on it</source>
@@ -140,7 +140,7 @@
     </message>
     <message>
         <source>Drag the ball at an arrow</source>
-        <translation>Glisser la boule d'une flèche</translation>
+        <translation>Glisser la boule d&apos;une flèche</translation>
     </message>
     <message>
         <source>tilt the plane</source>
@@ -164,11 +164,11 @@
     </message>
     <message>
         <source>rotate; the linked view follows</source>
-        <translation>tourner ; la vue liée suit</translation>
+        <translation>tourner&#xa0;; la vue liée suit</translation>
     </message>
     <message>
         <source>crosshair to what is seen there; its label or region becomes the focus</source>
-        <translation>réticule sur ce qu'on y voit ; son étiquette ou sa région devient la cible</translation>
+        <translation>réticule sur ce qu&apos;on y voit&#xa0;; son étiquette ou sa région devient la cible</translation>
     </message>
     <message>
         <source>its label joins or leaves the focus</source>
@@ -192,11 +192,11 @@
     </message>
     <message>
         <source>add what is there to the region</source>
-        <translation>ajouter à la région ce qui s'y trouve</translation>
+        <translation>ajouter à la région ce qui s&apos;y trouve</translation>
     </message>
     <message>
         <source>take what is there away from the region</source>
-        <translation>retirer de la région ce qui s'y trouve</translation>
+        <translation>retirer de la région ce qui s&apos;y trouve</translation>
     </message>
     <message>
         <source>Shift+drag</source>
@@ -204,7 +204,7 @@
     </message>
     <message>
         <source>draw a ball around a structure: the region that grows there stays within it</source>
-        <translation>tracer une boule autour d'une structure : la région qui y croît reste dedans</translation>
+        <translation>tracer une boule autour d&apos;une structure&#xa0;: la région qui y croît reste dedans</translation>
     </message>
     <message>
         <source>Alt+wheel</source>
@@ -247,7 +247,7 @@
         <translation>Maj+molette, Maj+glisser</translation>
     </message>
     <message>
-        <source>depth, or by how much the context's edges change</source>
+        <source>depth, or by how much the context&apos;s edges change</source>
         <translation>profondeur, ou de combien changent les arêtes du contexte</translation>
     </message>
     <message>
@@ -267,12 +267,12 @@
         <translation>Fonction de transfert</translation>
     </message>
     <message>
-        <source>Drag a point, or a trapezoid's edge, top or inside</source>
-        <translation>Glisser un point, ou le bord, le haut ou l'intérieur d'un trapèze</translation>
+        <source>Drag a point, or a trapezoid&apos;s edge, top or inside</source>
+        <translation>Glisser un point, ou le bord, le haut ou l&apos;intérieur d&apos;un trapèze</translation>
     </message>
     <message>
         <source>move it; with Shift across or up and down alone; Esc takes it back</source>
-        <translation>le déplacer ; avec Maj, horizontalement ou verticalement seulement ; Échap annule</translation>
+        <translation>le déplacer&#xa0;; avec Maj, horizontalement ou verticalement seulement&#xa0;; Échap annule</translation>
     </message>
     <message>
         <source>Double-click</source>
@@ -288,7 +288,7 @@
     </message>
     <message>
         <source>colour, delete, and add a point or a trapezoid</source>
-        <translation>couleur, suppression, ajout d'un point ou d'un trapèze</translation>
+        <translation>couleur, suppression, ajout d&apos;un point ou d&apos;un trapèze</translation>
     </message>
     <message>
         <source>Wheel, middle drag</source>
@@ -296,7 +296,7 @@
     </message>
     <message>
         <source>enlarge the values, and move along them</source>
-        <translation>agrandir les valeurs et s'y déplacer</translation>
+        <translation>agrandir les valeurs et s&apos;y déplacer</translation>
     </message>
     <message>
         <source>Arrows</source>
@@ -304,7 +304,7 @@
     </message>
     <message>
         <source>move the point; with Shift ten times as far, with Alt its whole trapezoid</source>
-        <translation>déplacer le point ; avec Maj dix fois plus, avec Alt tout son trapèze</translation>
+        <translation>déplacer le point&#xa0;; avec Maj dix fois plus, avec Alt tout son trapèze</translation>
     </message>
     <message>
         <source>Page up, Page down, Home, End</source>
@@ -332,7 +332,7 @@
     </message>
     <message>
         <source>move the picture</source>
-        <translation>déplacer l'image</translation>
+        <translation>déplacer l&apos;image</translation>
     </message>
     <message>
         <source>Right drag, Ctrl+wheel</source>
@@ -352,7 +352,7 @@
     </message>
     <message>
         <source>show this view alone; Esc shows all</source>
-        <translation>afficher cette vue seule ; Échap les affiche toutes</translation>
+        <translation>afficher cette vue seule&#xa0;; Échap les affiche toutes</translation>
     </message>
     <message>
         <source>Shift+wheel</source>
@@ -363,7 +363,7 @@
         <translation>épaisseur du bloc, de la coupe seule à 100 mm</translation>
     </message>
     <message>
-        <source>The crosshair's lines, on the slices</source>
+        <source>The crosshair&apos;s lines, on the slices</source>
         <translation>Les lignes du réticule, sur les coupes</translation>
     </message>
     <message>
@@ -396,18 +396,38 @@
     </message>
     <message>
         <source>move the picture; on the body only while clicks choose no focus (Focus menu)</source>
-        <translation>déplacer l'image ; sur le corps seulement si les clics ne choisissent pas de cible (menu Cible)</translation>
+        <translation>déplacer l&apos;image&#xa0;; sur le corps seulement si les clics ne choisissent pas de cible (menu Cible)</translation>
+    </message>
+    <message>
+        <source>What an archive holds</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Double-click, Return</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>retrieve the study or series, and open it once it is whole</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Drag onto a view</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>retrieve what is selected, and open it once it is whole</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
     <name>Fidelity</name>
     <message>
         <source>slices are shown up to %1 mm from their true places</source>
-        <translation>les coupes sont affichées jusqu'à %1 mm de leur place réelle</translation>
+        <translation>les coupes sont affichées jusqu&apos;à %1 mm de leur place réelle</translation>
     </message>
     <message>
         <source>tilt is made straight: %1 slices are resampled onto %2 planes</source>
-        <translation>inclinaison redressée : %1 coupes rééchantillonnées sur %2 plans</translation>
+        <translation>inclinaison redressée&#xa0;: %1 coupes rééchantillonnées sur %2 plans</translation>
     </message>
     <message>
         <source>%1 slices are resampled onto %2 even planes</source>
@@ -415,7 +435,7 @@
     </message>
     <message>
         <source>this plane was not scanned: it is interpolated across a gap</source>
-        <translation>ce plan n'a pas été acquis : il est interpolé au-dessus d'un vide</translation>
+        <translation>ce plan n&apos;a pas été acquis&#xa0;: il est interpolé au-dessus d&apos;un vide</translation>
     </message>
     <message>
         <source>%1 of %2 planes are interpolated across gaps</source>
@@ -426,11 +446,11 @@
         <translation>des positions ou tailles sont supposées, car le fichier ne les donne pas</translation>
     </message>
     <message>
-        <source>some values are outside of what the file's header allows</source>
-        <translation>certaines valeurs sortent de ce que l'en-tête autorise</translation>
+        <source>some values are outside of what the file&apos;s header allows</source>
+        <translation>certaines valeurs sortent de ce que l&apos;en-tête autorise</translation>
     </message>
     <message>
-        <source>values are rounded to the precision of the program's numbers</source>
+        <source>values are rounded to the precision of the program&apos;s numbers</source>
         <translation>les valeurs sont arrondies à la précision des nombres du programme</translation>
     </message>
     <message>
@@ -447,7 +467,7 @@
     </message>
     <message>
         <source>slices of another size or direction are shown as the first one</source>
-        <translation>les coupes d'autre taille ou direction sont affichées comme la première</translation>
+        <translation>les coupes d&apos;autre taille ou direction sont affichées comme la première</translation>
     </message>
     <message>
         <source>the data differ from those of the session</source>
@@ -482,16 +502,16 @@
         <translation>une partie du volume est sculptée</translation>
     </message>
     <message>
-        <source>the scanner's table is left out</source>
+        <source>the scanner&apos;s table is left out</source>
         <translation>la table du scanner est omise</translation>
     </message>
     <message>
         <source>parts are moved apart: distances between them do not hold</source>
-        <translation>des parties sont écartées : les distances entre elles ne valent pas</translation>
+        <translation>des parties sont écartées&#xa0;: les distances entre elles ne valent pas</translation>
     </message>
     <message>
         <source>a layer is rolled up: distances on it do not hold</source>
-        <translation>une couche est enroulée : les distances sur elle ne valent pas</translation>
+        <translation>une couche est enroulée&#xa0;: les distances sur elle ne valent pas</translation>
     </message>
     <message>
         <source>values are smoothed between voxels</source>
@@ -519,11 +539,11 @@
     </message>
     <message>
         <source>the sampling error has no bound (quality: %1)</source>
-        <translation>l'erreur d'échantillonnage n'est pas bornée (qualité : %1)</translation>
+        <translation>l&apos;erreur d&apos;échantillonnage n&apos;est pas bornée (qualité&#xa0;: %1)</translation>
     </message>
     <message>
         <source>the sampling error is at most %1/255</source>
-        <translation>l'erreur d'échantillonnage est au plus %L1/255</translation>
+        <translation>l&apos;erreur d&apos;échantillonnage est au plus %L1/255</translation>
     </message>
     <message>
         <source>not verified</source>
@@ -531,7 +551,7 @@
     </message>
     <message>
         <source>verified: %1</source>
-        <translation>vérifiée : %1</translation>
+        <translation>vérifiée&#xa0;: %1</translation>
     </message>
     <message>
         <source>not yet what was asked for</source>
@@ -551,15 +571,15 @@
     </message>
     <message>
         <source>a slab: only the highest value of %1 mm shows</source>
-        <translation>un bloc : seule la plus haute valeur de %1 mm se voit</translation>
+        <translation>un bloc&#xa0;: seule la plus haute valeur de %1 mm se voit</translation>
     </message>
     <message>
         <source>a slab: only the lowest value of %1 mm shows</source>
-        <translation>un bloc : seule la plus basse valeur de %1 mm se voit</translation>
+        <translation>un bloc&#xa0;: seule la plus basse valeur de %1 mm se voit</translation>
     </message>
     <message>
         <source>a slab: the mean of %1 mm shows</source>
-        <translation>un bloc : la moyenne de %1 mm se voit</translation>
+        <translation>un bloc&#xa0;: la moyenne de %1 mm se voit</translation>
     </message>
     <message>
         <source>values between voxels are interpolated linearly</source>
@@ -590,11 +610,11 @@
     </message>
     <message>
         <source>Label maps (*.dcm %1);;All files (*)</source>
-        <translation>Cartes d'étiquettes (*.dcm %1);;Tous les fichiers (*)</translation>
+        <translation>Cartes d&apos;étiquettes (*.dcm %1);;Tous les fichiers (*)</translation>
     </message>
     <message>
         <source>Open a label map</source>
-        <translation>Ouvrir une carte d'étiquettes</translation>
+        <translation>Ouvrir une carte d&apos;étiquettes</translation>
     </message>
     <message>
         <source>Open a folder of masks</source>
@@ -602,15 +622,15 @@
     </message>
     <message>
         <source>Tables of labels (*.txt *.tsv *.csv *.label *.ctbl *.lut);;All files (*)</source>
-        <translation>Tables d'étiquettes (*.txt *.tsv *.csv *.label *.ctbl *.lut);;Tous les fichiers (*)</translation>
+        <translation>Tables d&apos;étiquettes (*.txt *.tsv *.csv *.label *.ctbl *.lut);;Tous les fichiers (*)</translation>
     </message>
     <message>
         <source>Open a table of labels</source>
-        <translation>Ouvrir une table d'étiquettes</translation>
+        <translation>Ouvrir une table d&apos;étiquettes</translation>
     </message>
     <message>
         <source>How large the voxels are:</source>
-        <translation>Taille des voxels :</translation>
+        <translation>Taille des voxels&#xa0;:</translation>
     </message>
 </context>
 <context>
@@ -644,18 +664,18 @@
     </message>
     <message>
         <source>Focus: %1</source>
-        <translation>Cible : %1</translation>
+        <translation>Cible&#xa0;: %1</translation>
     </message>
 </context>
 <context>
     <name>GlSupport</name>
     <message>
-        <source>Qt's offscreen platform has no OpenGL; unset QT_QPA_PLATFORM.</source>
-        <translation>La plateforme offscreen de Qt n'a pas OpenGL ; supprimez QT_QPA_PLATFORM.</translation>
+        <source>Qt&apos;s offscreen platform has no OpenGL; unset QT_QPA_PLATFORM.</source>
+        <translation>La plateforme offscreen de Qt n&apos;a pas OpenGL&#xa0;; supprimez QT_QPA_PLATFORM.</translation>
     </message>
     <message>
-        <source>No OpenGL context can be made on this display. Install the graphics driver, or Mesa's software renderer (Debian: libgl1-mesa-dri); on a remote desktop, start Fenestra there.</source>
-        <translation>Aucun contexte OpenGL ne peut être créé sur cet écran. Installez le pilote graphique ou le rendu logiciel de Mesa (Debian : libgl1-mesa-dri) ; sur un bureau distant, lancez Fenestra là-bas.</translation>
+        <source>No OpenGL context can be made on this display. Install the graphics driver, or Mesa&apos;s software renderer (Debian: libgl1-mesa-dri); on a remote desktop, start Fenestra there.</source>
+        <translation>Aucun contexte OpenGL ne peut être créé sur cet écran. Installez le pilote graphique ou le rendu logiciel de Mesa (Debian&#xa0;: libgl1-mesa-dri)&#xa0;; sur un bureau distant, lancez Fenestra là-bas.</translation>
     </message>
     <message>
         <source>OpenGL cannot draw on this display. On a remote desktop, use one with GLX.</source>
@@ -663,7 +683,7 @@
     </message>
     <message>
         <source>%1 (LIBGL_ALWAYS_SOFTWARE=1 in the environment selects it).</source>
-        <translation>%1 (LIBGL_ALWAYS_SOFTWARE=1 dans l'environnement le sélectionne).</translation>
+        <translation>%1 (LIBGL_ALWAYS_SOFTWARE=1 dans l&apos;environnement le sélectionne).</translation>
     </message>
 </context>
 <context>
@@ -826,6 +846,10 @@
         <source>Cutaway</source>
         <translation>Écorché</translation>
     </message>
+    <message>
+        <source>Series</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Patient</name>
@@ -842,162 +866,92 @@
     <name>PlacementForm</name>
     <message>
         <source>From the side of the body that the focus is nearer to, rather than through the body, where both show about as much</source>
-        <translation>Du côté du corps dont la cible est la plus proche plutôt qu'à travers le corps, si les deux montrent à peu près autant</translation>
+        <translation>Du côté du corps dont la cible est la plus proche plutôt qu&apos;à travers le corps, si les deux montrent à peu près autant</translation>
+    </message>
+</context>
+<context>
+    <name>PlaneMenu</name>
+    <message>
+        <source>Slab of the %1 slice</source>
+        <translation>Bloc de la coupe&#xa0;: %1</translation>
     </message>
     <message>
-        <source>Depth</source>
-        <translation>Profondeur</translation>
+        <source>Thickness in mm, half of it to each side; 0 is the slice alone:</source>
+        <translation>Épaisseur en mm, la moitié de chaque côté&#xa0;; 0 est la coupe seule&#xa0;:</translation>
     </message>
     <message>
-        <source>How deep the focus lies; below 0 prefers views with little in front of it.
-vd1 = mean depth of the focus's pixels / diameter of the model's sphere</source>
-        <translation>Profondeur de la cible ; sous 0, préfère les vues avec peu de choses devant.
-vd1 = profondeur moyenne des pixels de la cible / diamètre de la sphère du modèle</translation>
+        <source>Off: the slice alone</source>
+        <translation>Sans&#xa0;: la coupe seule</translation>
     </message>
     <message>
-        <source>Size</source>
-        <translation>Taille</translation>
+        <source>%1 mm</source>
+        <translation>%L1 mm</translation>
     </message>
     <message>
-        <source>How large the focus is in the picture.
-vd2 = pixels of the focus / pixels of the picture</source>
-        <translation>Taille de la cible dans l'image.
-vd2 = pixels de la cible / pixels de l'image</translation>
+        <source>Other: %1 mm…</source>
+        <translation>Autre&#xa0;: %1 mm…</translation>
     </message>
     <message>
-        <source>Centring</source>
-        <translation>Centrage</translation>
+        <source>Other…</source>
+        <translation>Autre…</translation>
     </message>
     <message>
-        <source>How near to the middle of the picture it is.
-vd3 = 1 − distance of its centroid from the middle / distance of a corner</source>
-        <translation>Proximité du milieu de l'image.
-vd3 = 1 − distance de son centre de gravité au milieu / distance d'un coin</translation>
+        <source>Maximum (MIP)</source>
+        <translation>Maximum (MIP)</translation>
     </message>
     <message>
-        <source>Cut ends</source>
-        <translation>Extrémités coupées</translation>
+        <source>Minimum (MinIP)</source>
+        <translation>Minimum (MinIP)</translation>
     </message>
     <message>
-        <source>Below 0 avoids looking at the focus through a face where the scan cuts the body off.
-Share of the focus's pixels whose rays enter the volume inside the body</source>
-        <translation>Sous 0, évite de regarder la cible à travers une face où l'acquisition coupe le corps.
-Part des pixels de la cible dont les rayons entrent dans le volume à l'intérieur du corps</translation>
+        <source>Mean</source>
+        <translation>Moyenne</translation>
     </message>
     <message>
-        <source>Evenness</source>
-        <translation>Uniformité</translation>
+        <source>All slices as this one</source>
+        <translation>Toutes les coupes comme celle-ci</translation>
     </message>
     <message>
-        <source>How much of its surface is seen.
-Viewpoint entropy −Σ p log p of the seen surface points, over its maximum (Bordoloi, Shen 2005)</source>
-        <translation>Part visible de sa surface.
-Entropie du point de vue −Σ p log p des points vus, sur son maximum (Bordoloi, Shen 2005)</translation>
+        <source>Slice faces C1</source>
+        <translation>Coupe face à C1</translation>
     </message>
     <message>
-        <source>Typical</source>
-        <translation>Typique</translation>
+        <source>Slice faces C2</source>
+        <translation>Coupe face à C2</translation>
     </message>
     <message>
-        <source>How typical the view is of all views.
-1 − Σ p(o|v) log(p(o|v) / p(o)) over its maximum (Viola et al. 2006)</source>
-        <translation>À quel point la vue est typique de toutes.
-1 − Σ p(o|v) log(p(o|v) / p(o)) sur son maximum (Viola et al. 2006)</translation>
+        <source>Slab</source>
+        <translation>Bloc</translation>
     </message>
     <message>
-        <source>Steady</source>
-        <translation>Stable</translation>
+        <source>Reset this slice&apos;s plane</source>
+        <translation>Réinitialiser le plan de cette coupe</translation>
     </message>
     <message>
-        <source>How little changes when the camera moves a bit.
-1 − Jensen–Shannon divergence to the eight nearest views</source>
-        <translation>Peu de changement quand la caméra bouge un peu.
-1 − divergence de Jensen-Shannon avec les huit vues voisines</translation>
+        <source>Reset all planes</source>
+        <translation>Réinitialiser tous les plans</translation>
     </message>
+</context>
+<context>
+    <name>PlaneTool</name>
     <message>
-        <source>Standard view</source>
-        <translation>Vue standard</translation>
-    </message>
-    <message>
-        <source>How near the view is to anterior, left, superior …: a little decides between equally good views.
-Cosine of the angle to the nearest of the six</source>
-        <translation>Proximité de la vue avec antérieure, gauche, supérieure … : un peu départage des vues aussi bonnes.
-Cosinus de l'angle avec la plus proche des six</translation>
-    </message>
-    <message>
-        <source>Not through cut ends</source>
-        <translation>Pas à travers les extrémités coupées</translation>
-    </message>
-    <message>
-        <source>No view within 45° of an end of the scan where the body goes on, while another one shows at least two thirds as much of the focus</source>
-        <translation>Aucune vue à moins de 45° d'une extrémité de l'acquisition où le corps continue, si une autre montre au moins deux tiers autant de la cible</translation>
-    </message>
-    <message>
-        <source>From around before from above</source>
-        <translation>D'autour avant d'en haut</translation>
-    </message>
-    <message>
-        <source>From the front, from behind, the left or the right rather than from above or below, where both show about as much</source>
-        <translation>De face, de dos, de gauche ou de droite plutôt que d'en haut ou d'en bas, si les deux montrent à peu près autant</translation>
-    </message>
-    <message>
-        <source>Thin stacks from the front</source>
-        <translation>Piles minces de face</translation>
-    </message>
-    <message>
-        <source>A stack of a few slices, or one much thinner than wide, is seen from the side from which its slices are shown, not edge-on</source>
-        <translation>Une pile de quelques coupes, ou bien plus mince que large, est vue du côté où ses coupes s'affichent, pas par la tranche</translation>
-    </message>
-    <message>
-        <source>From the near side</source>
-        <translation>Du côté proche</translation>
-    </message>
-    <message>
-        <source>Usual side</source>
-        <translation>Côté habituel</translation>
-    </message>
-    <message>
-        <source>How usual the view is: from the front rather than from the side, from behind, from above or below</source>
-        <translation>À quel point la vue est habituelle : de face plutôt que de côté, de dos, d'en haut ou d'en bas</translation>
-    </message>
-    <message>
-        <source>Last view</source>
-        <translation>Dernière vue</translation>
-    </message>
-    <message>
-        <source>How near the view is to the present one, so that it does not jump</source>
-        <translation>Proximité avec la vue actuelle, pour éviter un saut</translation>
-    </message>
-    <message>
-        <source>Shape</source>
-        <translation>Forme</translation>
-    </message>
-    <message>
-        <source>How well the view shows the structure's shape around the point: onto what is flat, across what is long</source>
-        <translation>Comment la vue montre la forme de la structure autour du point : de face si plate, en travers si longue</translation>
-    </message>
-    <message>
-        <source>Unhidden</source>
-        <translation>Dégagée</translation>
-    </message>
-    <message>
-        <source>How little hides the structure around the point, before anything is cut away</source>
-        <translation>Combien peu cache la structure autour du point, avant toute découpe</translation>
+        <source>%1°</source>
+        <translation>%L1°</translation>
     </message>
 </context>
 <context>
     <name>Region</name>
     <message>
         <source>Its border is clear: values change by %1 there.</source>
-        <translation>Sa limite est nette : les valeurs y changent de %1.</translation>
+        <translation>Sa limite est nette&#xa0;: les valeurs y changent de %1.</translation>
     </message>
     <message>
         <source>Its border is fair: values change by %1 there.</source>
-        <translation>Sa limite est moyenne : les valeurs y changent de %1.</translation>
+        <translation>Sa limite est moyenne&#xa0;: les valeurs y changent de %1.</translation>
     </message>
     <message>
         <source>It is doubtful: values change by only %1 along its border. Check its outline on the slices.</source>
-        <translation>Elle est douteuse : à sa limite, les valeurs ne changent que de %1. Vérifiez son contour sur les coupes.</translation>
+        <translation>Elle est douteuse&#xa0;: à sa limite, les valeurs ne changent que de %1. Vérifiez son contour sur les coupes.</translation>
     </message>
     <message>
         <source>the left</source>
@@ -1009,11 +963,11 @@ Cosinus de l'angle avec la plus proche des six</translation>
     </message>
     <message>
         <source>the back</source>
-        <translation>l'arrière</translation>
+        <translation>l&apos;arrière</translation>
     </message>
     <message>
         <source>the front</source>
-        <translation>l'avant</translation>
+        <translation>l&apos;avant</translation>
     </message>
     <message>
         <source>the head</source>
@@ -1037,11 +991,11 @@ Cosinus de l'angle avec la plus proche des six</translation>
     </message>
     <message>
         <source>Values: %1 ± %2.</source>
-        <translation>Valeurs : %1 ± %2.</translation>
+        <translation>Valeurs&#xa0;: %1 ± %2.</translation>
     </message>
     <message>
         <source>Next leak: at %1 to %2, %3.</source>
-        <translation>Prochaine fuite : à %1 vers %2, %3.</translation>
+        <translation>Prochaine fuite&#xa0;: à %1 vers %2, %3.</translation>
     </message>
 </context>
 <context>
@@ -1055,11 +1009,77 @@ Cosinus de l'angle avec la plus proche des six</translation>
     <name>RenderProblem</name>
     <message>
         <source>The graphics driver refuses a part of Fenestra (%1). Update the driver, or start Fenestra with LIBGL_ALWAYS_SOFTWARE=1 in the environment.</source>
-        <translation>Le pilote graphique refuse une partie de Fenestra (%1). Mettez-le à jour, ou lancez Fenestra avec LIBGL_ALWAYS_SOFTWARE=1 dans l'environnement.</translation>
+        <translation>Le pilote graphique refuse une partie de Fenestra (%1). Mettez-le à jour, ou lancez Fenestra avec LIBGL_ALWAYS_SOFTWARE=1 dans l&apos;environnement.</translation>
     </message>
     <message>
         <source>There is not enough memory for this picture. Close other programs, or open a smaller volume.</source>
-        <translation>Pas assez de mémoire pour cette image. Fermez d'autres programmes, ou ouvrez un volume plus petit.</translation>
+        <translation>Pas assez de mémoire pour cette image. Fermez d&apos;autres programmes, ou ouvrez un volume plus petit.</translation>
+    </message>
+</context>
+<context>
+    <name>Series</name>
+    <message>
+        <source>%1 mm</source>
+        <translation type="unfinished">%L1 mm</translation>
+    </message>
+    <message>
+        <source>every %1</source>
+        <translation type="unfinished">tous les %1</translation>
+    </message>
+    <message>
+        <source>%1, every %2</source>
+        <translation type="unfinished">%1, tous les %2</translation>
+    </message>
+    <message>
+        <source>time point %1 of %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Series without a name</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Series %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Study %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>ServerEntry</name>
+    <message>
+        <source>The server&apos;s AE title has 1 to 16 letters and digits; its administrator knows it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Our AE title has 1 to 16 letters and digits; the server must know it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The host is a name or an address, such as pacs.hospital or 192.168.1.5.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>C-MOVE needs a port of ours that is entered at the server.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>TLS needs the file of the certificates that may sign the server&apos;s, in PEM.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Our certificate needs its key, and the key its certificate.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The address is that of DICOMweb&apos;s root, such as https://pacs.hospital/dicom-web.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A login with a password needs the user&apos;s name.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -1078,7 +1098,7 @@ Cosinus de l'angle avec la plus proche des six</translation>
     </message>
     <message>
         <source>Cameras fly to where they are placed instead of jumping there</source>
-        <translation>Les caméras volent à leur place au lieu d'y sauter</translation>
+        <translation>Les caméras volent à leur place au lieu d&apos;y sauter</translation>
     </message>
     <message>
         <source>While something moves</source>
@@ -1086,7 +1106,7 @@ Cosinus de l'angle avec la plus proche des six</translation>
     </message>
     <message>
         <source>Pictures a second to aim at: more of them are smaller on a slow machine. At rest they always have full quality</source>
-        <translation>Images par seconde visées : davantage sont plus petites sur une machine lente. Au repos, elles ont toujours la pleine qualité</translation>
+        <translation>Images par seconde visées&#xa0;: davantage sont plus petites sur une machine lente. Au repos, elles ont toujours la pleine qualité</translation>
     </message>
     <message>
         <source>pictures/s</source>
@@ -1098,7 +1118,7 @@ Cosinus de l'angle avec la plus proche des six</translation>
     </message>
     <message>
         <source>Colour behind the volume when data are opened without a session</source>
-        <translation>Couleur derrière le volume quand des données s'ouvrent sans session</translation>
+        <translation>Couleur derrière le volume quand des données s&apos;ouvrent sans session</translation>
     </message>
     <message>
         <source>Unit of new openings</source>
@@ -1106,7 +1126,7 @@ Cosinus de l'angle avec la plus proche des six</translation>
     </message>
     <message>
         <source>What the widths of the opening are in when data are opened without a session</source>
-        <translation>Unité des largeurs de l'ouverture quand des données s'ouvrent sans session</translation>
+        <translation>Unité des largeurs de l&apos;ouverture quand des données s&apos;ouvrent sans session</translation>
     </message>
     <message>
         <source>Hide the patient</source>
@@ -1138,7 +1158,7 @@ Cosinus de l'angle avec la plus proche des six</translation>
     </message>
     <message>
         <source>How the view is opened to the focus</source>
-        <translation>Comment la vue s'ouvre vers la cible</translation>
+        <translation>Comment la vue s&apos;ouvre vers la cible</translation>
     </message>
     <message>
         <source>Adaptive cutaway</source>
@@ -1146,7 +1166,7 @@ Cosinus de l'angle avec la plus proche des six</translation>
     </message>
     <message>
         <source>An opening around the focus that rises to the surface over a width that you choose: the method of this program</source>
-        <translation>Une ouverture autour de la cible, qui remonte à la surface sur une largeur que vous choisissez : la méthode de ce programme</translation>
+        <translation>Une ouverture autour de la cible, qui remonte à la surface sur une largeur que vous choisissez&#xa0;: la méthode de ce programme</translation>
     </message>
     <message>
         <source>Deformable cutting plane</source>
@@ -1154,22 +1174,22 @@ Cosinus de l'angle avec la plus proche des six</translation>
     </message>
     <message>
         <source>Nothing opens by itself: a plane that you lay through a stroke and bend by dragging removes one side of it (Konrad-Verse, Preim and Littmann 2004)</source>
-        <translation>Rien ne s'ouvre tout seul : un plan posé par un trait et courbé en glissant enlève l'un de ses côtés (Konrad-Verse, Preim et Littmann 2004)</translation>
+        <translation>Rien ne s&apos;ouvre tout seul&#xa0;: un plan posé par un trait et courbé en glissant enlève l&apos;un de ses côtés (Konrad-Verse, Preim et Littmann 2004)</translation>
     </message>
     <message>
         <source>ClearView</source>
         <translation>ClearView</translation>
     </message>
     <message>
-        <source>A lens over the focus through which it shows, while what hides it fades towards the lens's middle and stays where it bends (Krüger, Schneider and Westermann 2006)</source>
-        <translation>Une lentille sur la cible, à travers laquelle elle se voit, tandis que ce qui la cache s'estompe vers le milieu et reste là où il se courbe (Krüger, Schneider et Westermann 2006)</translation>
+        <source>A lens over the focus through which it shows, while what hides it fades towards the lens&apos;s middle and stays where it bends (Krüger, Schneider and Westermann 2006)</source>
+        <translation>Une lentille sur la cible, à travers laquelle elle se voit, tandis que ce qui la cache s&apos;estompe vers le milieu et reste là où il se courbe (Krüger, Schneider et Westermann 2006)</translation>
     </message>
     <message>
         <source>Lens keeps</source>
         <translation>La lentille garde</translation>
     </message>
     <message>
-        <source>What stays within ClearView's lens of what hides the focus, beside its bends</source>
+        <source>What stays within ClearView&apos;s lens of what hides the focus, beside its bends</source>
         <translation>Ce qui reste dans la lentille de ClearView de ce qui cache la cible, outre ses courbures</translation>
     </message>
     <message>
@@ -1177,7 +1197,7 @@ Cosinus de l'angle avec la plus proche des six</translation>
         <translation>Lentille sur</translation>
     </message>
     <message>
-        <source>What ClearView's lens lies over, as you see it</source>
+        <source>What ClearView&apos;s lens lies over, as you see it</source>
         <translation>Ce sur quoi la lentille de ClearView se trouve, vu de vous</translation>
     </message>
     <message>
@@ -1185,24 +1205,24 @@ Cosinus de l'angle avec la plus proche des six</translation>
         <translation>Lentille</translation>
     </message>
     <message>
-        <source>Radius of ClearView's lens, as a share of the volume's longest side; its authors use 18.2</source>
-        <translation>Rayon de la lentille de ClearView, en part du plus long côté du volume ; ses auteurs prennent 18,2</translation>
+        <source>Radius of ClearView&apos;s lens, as a share of the volume&apos;s longest side; its authors use 18.2</source>
+        <translation>Rayon de la lentille de ClearView, en part du plus long côté du volume&#xa0;; ses auteurs prennent 18,2</translation>
     </message>
     <message>
         <source>Bends kept</source>
         <translation>Courbures gardées</translation>
     </message>
     <message>
-        <source>How much of the bends of what hides the focus stays within ClearView's lens; 0 keeps none</source>
-        <translation>Part des courbures de ce qui cache la cible gardée dans la lentille de ClearView ; 0 n'en garde aucune</translation>
+        <source>How much of the bends of what hides the focus stays within ClearView&apos;s lens; 0 keeps none</source>
+        <translation>Part des courbures de ce qui cache la cible gardée dans la lentille de ClearView&#xa0;; 0 n&apos;en garde aucune</translation>
     </message>
     <message>
         <source>Rim of the lens</source>
         <translation>Bord de la lentille</translation>
     </message>
     <message>
-        <source>How thin the dark line around ClearView's lens is: more is thinner</source>
-        <translation>Finesse de la ligne sombre autour de la lentille de ClearView : plus est plus fin</translation>
+        <source>How thin the dark line around ClearView&apos;s lens is: more is thinner</source>
+        <translation>Finesse de la ligne sombre autour de la lentille de ClearView&#xa0;: plus est plus fin</translation>
     </message>
     <message>
         <source>Focus</source>
@@ -1218,14 +1238,14 @@ Cosinus de l'angle avec la plus proche des six</translation>
     </message>
     <message>
         <source>The crosshair: the lens follows what you point at</source>
-        <translation>Le réticule : la lentille suit ce que vous pointez</translation>
+        <translation>Le réticule&#xa0;: la lentille suit ce que vous pointez</translation>
     </message>
     <message>
         <source>To the rim</source>
         <translation>Vers le bord</translation>
     </message>
     <message>
-        <source>The nearer to the lens's rim, the more of what hides the focus</source>
+        <source>The nearer to the lens&apos;s rim, the more of what hides the focus</source>
         <translation>Plus on est près du bord de la lentille, plus il reste de ce qui cache la cible</translation>
     </message>
     <message>
@@ -1250,15 +1270,15 @@ Cosinus de l'angle avec la plus proche des six</translation>
     </message>
     <message>
         <source>A funnel around everything in focus, which widens towards you at one angle: the deeper the focus lies, the wider the opening (Burns and Finkelstein 2008)</source>
-        <translation>Un entonnoir autour de toute la cible, qui s'évase vers vous d'un angle : plus la cible est profonde, plus l'ouverture est large (Burns et Finkelstein 2008)</translation>
+        <translation>Un entonnoir autour de toute la cible, qui s&apos;évase vers vous d&apos;un angle&#xa0;: plus la cible est profonde, plus l&apos;ouverture est large (Burns et Finkelstein 2008)</translation>
     </message>
     <message>
-        <source>Cone's angle</source>
+        <source>Cone&apos;s angle</source>
         <translation>Angle du cône</translation>
     </message>
     <message>
-        <source>Angle between the axis and the wall of the cone cutaway's cones: more opens wider</source>
-        <translation>Angle entre l'axe et la paroi des cônes : plus ouvre davantage</translation>
+        <source>Angle between the axis and the wall of the cone cutaway&apos;s cones: more opens wider</source>
+        <translation>Angle entre l&apos;axe et la paroi des cônes&#xa0;: plus ouvre davantage</translation>
     </message>
     <message>
         <source>Context-preserving</source>
@@ -1266,7 +1286,7 @@ Cosinus de l'angle avec la plus proche des six</translation>
     </message>
     <message>
         <source>Nothing is cut away: what is flat, brightly lit and near to you fades, while edges stay, so that the inside shows; what is in focus stays as it is (Bruckner, Grimm, Kanitsar and Gröller 2006)</source>
-        <translation>Rien n'est enlevé : ce qui est plat, vivement éclairé et proche s'estompe, les arêtes restent, et l'intérieur se voit ; la cible reste telle quelle (Bruckner, Grimm, Kanitsar et Gröller 2006)</translation>
+        <translation>Rien n&apos;est enlevé&#xa0;: ce qui est plat, vivement éclairé et proche s&apos;estompe, les arêtes restent, et l&apos;intérieur se voit&#xa0;; la cible reste telle quelle (Bruckner, Grimm, Kanitsar et Gröller 2006)</translation>
     </message>
     <message>
         <source>Reach</source>
@@ -1274,7 +1294,7 @@ Cosinus de l'angle avec la plus proche des six</translation>
     </message>
     <message>
         <source>How deep the context-preserving method looks into the volume; 0 fades nothing (κt)</source>
-        <translation>Profondeur à laquelle la méthode qui préserve le contexte regarde dans le volume ; 0 n'estompe rien (κt)</translation>
+        <translation>Profondeur à laquelle la méthode qui préserve le contexte regarde dans le volume&#xa0;; 0 n&apos;estompe rien (κt)</translation>
     </message>
     <message>
         <source>Sharpness</source>
@@ -1282,7 +1302,7 @@ Cosinus de l'angle avec la plus proche des six</translation>
     </message>
     <message>
         <source>How sudden the context-preserving method changes from faded to shown along the line of sight: more looks like a cut (κs)</source>
-        <translation>Soudaineté du passage d'estompé à affiché le long de la ligne de visée : plus ressemble à une coupe (κs)</translation>
+        <translation>Soudaineté du passage d&apos;estompé à affiché le long de la ligne de visée&#xa0;: plus ressemble à une coupe (κs)</translation>
     </message>
     <message>
         <source>Exploded view</source>
@@ -1290,7 +1310,7 @@ Cosinus de l'angle avec la plus proche des six</translation>
     </message>
     <message>
         <source>What is around the focus is cut into parts, which move apart and out of your line of sight to it; what is in focus stays in its place (Bruckner and Gröller 2006)</source>
-        <translation>Ce qui entoure la cible est coupé en parties qui s'écartent hors de la ligne de visée ; la cible reste en place (Bruckner et Gröller 2006)</translation>
+        <translation>Ce qui entoure la cible est coupé en parties qui s&apos;écartent hors de la ligne de visée&#xa0;; la cible reste en place (Bruckner et Gröller 2006)</translation>
     </message>
     <message>
         <source>Explosion</source>
@@ -1298,7 +1318,7 @@ Cosinus de l'angle avec la plus proche des six</translation>
     </message>
     <message>
         <source>How far the parts of an exploded view are moved apart (its degree of explosion): at 0 all are in their places</source>
-        <translation>Écartement des parties (degré d'éclatement) : à 0, toutes sont à leur place</translation>
+        <translation>Écartement des parties (degré d&apos;éclatement)&#xa0;: à 0, toutes sont à leur place</translation>
     </message>
     <message>
         <source>Parts</source>
@@ -1306,14 +1326,14 @@ Cosinus de l'angle avec la plus proche des six</translation>
     </message>
     <message>
         <source>How many planes through the middle of the focus, or of the volume without a focus, cut it into the parts of an exploded view</source>
-        <translation>Nombre de plans par le milieu de la cible, ou du volume sans cible, qui le coupent en parties d'une vue éclatée</translation>
+        <translation>Nombre de plans par le milieu de la cible, ou du volume sans cible, qui le coupent en parties d&apos;une vue éclatée</translation>
     </message>
     <message>
         <source>Cut along</source>
         <translation>Couper selon</translation>
     </message>
     <message>
-        <source>Whether the planes of an exploded view lie along the patient's axes or the view's</source>
+        <source>Whether the planes of an exploded view lie along the patient&apos;s axes or the view&apos;s</source>
         <translation>Si les plans suivent les axes du patient ou ceux de la vue</translation>
     </message>
     <message>
@@ -1330,7 +1350,7 @@ Cosinus de l'angle avec la plus proche des six</translation>
     </message>
     <message>
         <source>Two planes: left and right, above and below</source>
-        <translation>Deux plans : gauche et droite, haut et bas</translation>
+        <translation>Deux plans&#xa0;: gauche et droite, haut et bas</translation>
     </message>
     <message>
         <source>Eight parts</source>
@@ -1338,23 +1358,23 @@ Cosinus de l'angle avec la plus proche des six</translation>
     </message>
     <message>
         <source>Three planes: left and right, above and below, front and back</source>
-        <translation>Trois plans : gauche et droite, haut et bas, avant et arrière</translation>
+        <translation>Trois plans&#xa0;: gauche et droite, haut et bas, avant et arrière</translation>
     </message>
     <message>
         <source>The patient</source>
         <translation>Le patient</translation>
     </message>
     <message>
-        <source>Planes along the patient's axes: left and right are the patient's</source>
-        <translation>Plans selon les axes du patient : gauche et droite sont celles du patient</translation>
+        <source>Planes along the patient&apos;s axes: left and right are the patient&apos;s</source>
+        <translation>Plans selon les axes du patient&#xa0;: gauche et droite sont celles du patient</translation>
     </message>
     <message>
         <source>The view</source>
         <translation>La vue</translation>
     </message>
     <message>
-        <source>Planes along the picture's axes, which turn with the camera</source>
-        <translation>Plans selon les axes de l'image, qui tournent avec la caméra</translation>
+        <source>Planes along the picture&apos;s axes, which turn with the camera</source>
+        <translation>Plans selon les axes de l&apos;image, qui tournent avec la caméra</translation>
     </message>
     <message>
         <source>Focal region</source>
@@ -1362,7 +1382,7 @@ Cosinus de l'angle avec la plus proche des six</translation>
     </message>
     <message>
         <source>A region around the focus shows as it is; around it only the edges of what is there stay, the fainter the farther away; what is in focus stays as it is (Zhou, Hinz and Tönnies 2002)</source>
-        <translation>Une région autour de la cible se voit telle quelle ; autour, seules les arêtes restent, d'autant plus faibles qu'elles sont loin ; la cible reste telle quelle (Zhou, Hinz et Tönnies 2002)</translation>
+        <translation>Une région autour de la cible se voit telle quelle&#xa0;; autour, seules les arêtes restent, d&apos;autant plus faibles qu&apos;elles sont loin&#xa0;; la cible reste telle quelle (Zhou, Hinz et Tönnies 2002)</translation>
     </message>
     <message>
         <source>Region</source>
@@ -1377,7 +1397,7 @@ Cosinus de l'angle avec la plus proche des six</translation>
         <translation>Taille de la région</translation>
     </message>
     <message>
-        <source>Radius of the focal region's sphere, half the side of its box, or its distance from the focus</source>
+        <source>Radius of the focal region&apos;s sphere, half the side of its box, or its distance from the focus</source>
         <translation>Rayon de la sphère, demi-côté de la boîte, ou distance à la cible</translation>
     </message>
     <message>
@@ -1390,7 +1410,7 @@ Cosinus de l'angle avec la plus proche des six</translation>
     </message>
     <message>
         <source>How far outside of the focal region edges are half as strong as at its border: more shows more of what is around it</source>
-        <translation>À quelle distance de la région focale les arêtes sont moitié moins fortes qu'à son bord : plus montre plus des alentours</translation>
+        <translation>À quelle distance de la région focale les arêtes sont moitié moins fortes qu&apos;à son bord&#xa0;: plus montre plus des alentours</translation>
     </message>
     <message>
         <source>Sphere</source>
@@ -1405,7 +1425,7 @@ Cosinus de l'angle avec la plus proche des six</translation>
         <translation>Boîte</translation>
     </message>
     <message>
-        <source>A cube along the patient's axes, around the middle of the focus</source>
+        <source>A cube along the patient&apos;s axes, around the middle of the focus</source>
         <translation>Un cube selon les axes du patient, autour du milieu de la cible</translation>
     </message>
     <message>
@@ -1418,11 +1438,11 @@ Cosinus de l'angle avec la plus proche des six</translation>
     </message>
     <message>
         <source>Importance-driven</source>
-        <translation>Selon l'importance</translation>
+        <translation>Selon l&apos;importance</translation>
     </message>
     <message>
         <source>What hides the focus gives way to it because the focus is more important: it is removed, or stays faint (Viola, Kanitsar and Gröller 2004)</source>
-        <translation>Ce qui cache la cible s'efface, car elle est plus importante : enlevé, ou estompé (Viola, Kanitsar et Gröller 2004)</translation>
+        <translation>Ce qui cache la cible s&apos;efface, car elle est plus importante&#xa0;: enlevé, ou estompé (Viola, Kanitsar et Gröller 2004)</translation>
     </message>
     <message>
         <source>What hides the focus</source>
@@ -1430,15 +1450,15 @@ Cosinus de l'angle avec la plus proche des six</translation>
     </message>
     <message>
         <source>What the importance-driven method does with what hides the focus</source>
-        <translation>Ce que la méthode selon l'importance fait de ce qui cache la cible</translation>
+        <translation>Ce que la méthode selon l&apos;importance fait de ce qui cache la cible</translation>
     </message>
     <message>
         <source>Widening</source>
         <translation>Évasement</translation>
     </message>
     <message>
-        <source>Angle at which the importance-driven opening widens from the focus's outline towards the eye</source>
-        <translation>Angle d'évasement de l'ouverture, du contour de la cible vers l'œil</translation>
+        <source>Angle at which the importance-driven opening widens from the focus&apos;s outline towards the eye</source>
+        <translation>Angle d&apos;évasement de l&apos;ouverture, du contour de la cible vers l&apos;œil</translation>
     </message>
     <message>
         <source>Opacity left</source>
@@ -1446,7 +1466,7 @@ Cosinus de l'angle avec la plus proche des six</translation>
     </message>
     <message>
         <source>Factor of the opacity of what hides the focus, where the importance-driven method keeps it faint; 0 removes it</source>
-        <translation>Facteur d'opacité de ce qui cache la cible, là où la méthode l'estompe ; 0 l'enlève</translation>
+        <translation>Facteur d&apos;opacité de ce qui cache la cible, là où la méthode l&apos;estompe&#xa0;; 0 l&apos;enlève</translation>
     </message>
     <message>
         <source>Faint how</source>
@@ -1461,8 +1481,8 @@ Cosinus de l'angle avec la plus proche des six</translation>
         <translation>Enlevé</translation>
     </message>
     <message>
-        <source>What hides the focus is removed, in a cone that widens from the focus's outline towards you (maximum importance projection)</source>
-        <translation>Ce qui cache la cible est enlevé, dans un cône qui s'évase de son contour vers vous (maximum importance projection)</translation>
+        <source>What hides the focus is removed, in a cone that widens from the focus&apos;s outline towards you (maximum importance projection)</source>
+        <translation>Ce qui cache la cible est enlevé, dans un cône qui s&apos;évase de son contour vers vous (maximum importance projection)</translation>
     </message>
     <message>
         <source>Faint</source>
@@ -1485,7 +1505,7 @@ Cosinus de l'angle avec la plus proche des six</translation>
         <translation>Gris</translation>
     </message>
     <message>
-        <source>Less opaque, and grey, so that the colours are the focus's alone</source>
+        <source>Less opaque, and grey, so that the colours are the focus&apos;s alone</source>
         <translation>Moins opaque et gris, pour que seule la cible ait des couleurs</translation>
     </message>
     <message>
@@ -1502,7 +1522,7 @@ Cosinus de l'angle avec la plus proche des six</translation>
     </message>
     <message>
         <source>The body shows by the greatest value on each line of sight, as in a maximum intensity projection, and the focus stands in it; what lies before the opening does not count (Wallis, Miller, Lerner and Kleerup 1989)</source>
-        <translation>Le corps se voit par la plus grande valeur de chaque ligne de visée, comme en projection d'intensité maximale, avec la cible dedans ; ce qui est devant l'ouverture ne compte pas (Wallis, Miller, Lerner et Kleerup 1989)</translation>
+        <translation>Le corps se voit par la plus grande valeur de chaque ligne de visée, comme en projection d&apos;intensité maximale, avec la cible dedans&#xa0;; ce qui est devant l&apos;ouverture ne compte pas (Wallis, Miller, Lerner et Kleerup 1989)</translation>
     </message>
     <message>
         <source>Thickness</source>
@@ -1510,7 +1530,7 @@ Cosinus de l'angle avec la plus proche des six</translation>
     </message>
     <message>
         <source>How thick a layer the maximum intensity projection shows of the greatest value: more is more opaque</source>
-        <translation>Épaisseur de la couche de plus grande valeur que montre la projection d'intensité maximale : plus est plus opaque</translation>
+        <translation>Épaisseur de la couche de plus grande valeur que montre la projection d&apos;intensité maximale&#xa0;: plus est plus opaque</translation>
     </message>
     <message>
         <source>Peeling</source>
@@ -1518,7 +1538,7 @@ Cosinus de l'angle avec la plus proche des six</translation>
     </message>
     <message>
         <source>A layer in front of the focus is cut in two, and its halves are rolled aside like a peel; what is in focus stays in its place (McGuffin et al. 2003; Correa et al. 2006)</source>
-        <translation>Une couche devant la cible est coupée en deux, et ses moitiés sont enroulées sur les côtés comme une peau ; la cible reste en place (McGuffin et al. 2003 ; Correa et al. 2006)</translation>
+        <translation>Une couche devant la cible est coupée en deux, et ses moitiés sont enroulées sur les côtés comme une peau&#xa0;; la cible reste en place (McGuffin et al. 2003&#xa0;; Correa et al. 2006)</translation>
     </message>
     <message>
         <source>Peeled</source>
@@ -1526,7 +1546,7 @@ Cosinus de l'angle avec la plus proche des six</translation>
     </message>
     <message>
         <source>How far the layer in front of the focus is peeled away: at 0 it lies in its place, at 1 none of it lies in front of the focus</source>
-        <translation>Degré d'épluchage de la couche devant la cible : à 0 elle est en place, à 1 rien n'en reste devant la cible</translation>
+        <translation>Degré d&apos;épluchage de la couche devant la cible&#xa0;: à 0 elle est en place, à 1 rien n&apos;en reste devant la cible</translation>
     </message>
     <message>
         <source>Peel off</source>
@@ -1542,15 +1562,15 @@ Cosinus de l'angle avec la plus proche des six</translation>
     </message>
     <message>
         <source>Turns the cut through the layer: at 0 it runs from head to foot, or from front to back where the layer is peeled off above or below</source>
-        <translation>Tourne la coupe de la couche : à 0 elle va de la tête aux pieds, ou d'avant en arrière si on épluche en haut ou en bas</translation>
+        <translation>Tourne la coupe de la couche&#xa0;: à 0 elle va de la tête aux pieds, ou d&apos;avant en arrière si on épluche en haut ou en bas</translation>
     </message>
     <message>
         <source>Layer down to</source>
-        <translation>Couche jusqu'à</translation>
+        <translation>Couche jusqu&apos;à</translation>
     </message>
     <message>
         <source>How deep the layer reaches: at 0 it ends just in front of the focus, at 1 just behind it</source>
-        <translation>Profondeur de la couche : à 0 elle finit juste devant la cible, à 1 juste derrière</translation>
+        <translation>Profondeur de la couche&#xa0;: à 0 elle finit juste devant la cible, à 1 juste derrière</translation>
     </message>
     <message>
         <source>Roll</source>
@@ -1558,7 +1578,7 @@ Cosinus de l'angle avec la plus proche des six</translation>
     </message>
     <message>
         <source>Radius of the hollow in the roll: less rolls the layer up more tightly</source>
-        <translation>Rayon du creux du rouleau : moins enroule plus serré</translation>
+        <translation>Rayon du creux du rouleau&#xa0;: moins enroule plus serré</translation>
     </message>
     <message>
         <source>Margin</source>
@@ -1570,18 +1590,18 @@ Cosinus de l'angle avec la plus proche des six</translation>
     </message>
     <message>
         <source>The front</source>
-        <translation>L'avant</translation>
+        <translation>L&apos;avant</translation>
     </message>
     <message>
-        <source>The patient's anterior side</source>
+        <source>The patient&apos;s anterior side</source>
         <translation>Le côté antérieur du patient</translation>
     </message>
     <message>
         <source>The back</source>
-        <translation>L'arrière</translation>
+        <translation>L&apos;arrière</translation>
     </message>
     <message>
-        <source>The patient's posterior side</source>
+        <source>The patient&apos;s posterior side</source>
         <translation>Le côté postérieur du patient</translation>
     </message>
     <message>
@@ -1589,7 +1609,7 @@ Cosinus de l'angle avec la plus proche des six</translation>
         <translation>La gauche</translation>
     </message>
     <message>
-        <source>The patient's left side</source>
+        <source>The patient&apos;s left side</source>
         <translation>Le côté gauche du patient</translation>
     </message>
     <message>
@@ -1597,7 +1617,7 @@ Cosinus de l'angle avec la plus proche des six</translation>
         <translation>La droite</translation>
     </message>
     <message>
-        <source>The patient's right side</source>
+        <source>The patient&apos;s right side</source>
         <translation>Le côté droit du patient</translation>
     </message>
     <message>
@@ -1605,7 +1625,7 @@ Cosinus de l'angle avec la plus proche des six</translation>
         <translation>Dessus</translation>
     </message>
     <message>
-        <source>The patient's superior side</source>
+        <source>The patient&apos;s superior side</source>
         <translation>Le côté supérieur du patient</translation>
     </message>
     <message>
@@ -1613,7 +1633,7 @@ Cosinus de l'angle avec la plus proche des six</translation>
         <translation>Dessous</translation>
     </message>
     <message>
-        <source>The patient's inferior side</source>
+        <source>The patient&apos;s inferior side</source>
         <translation>Le côté inférieur du patient</translation>
     </message>
     <message>
@@ -1622,7 +1642,7 @@ Cosinus de l'angle avec la plus proche des six</translation>
     </message>
     <message>
         <source>Nothing opens by itself: you carve the volume with a ball, a box or a saw until the focus shows (Wang and Kaufman 1995)</source>
-        <translation>Rien ne s'ouvre tout seul : vous sculptez le volume à la boule, à la boîte ou à la scie jusqu'à voir la cible (Wang et Kaufman 1995)</translation>
+        <translation>Rien ne s&apos;ouvre tout seul&#xa0;: vous sculptez le volume à la boule, à la boîte ou à la scie jusqu&apos;à voir la cible (Wang et Kaufman 1995)</translation>
     </message>
     <message>
         <source>Ghosted selection</source>
@@ -1630,7 +1650,7 @@ Cosinus de l'angle avec la plus proche des six</translation>
     </message>
     <message>
         <source>Nothing is cut away: in front of the focus, and in the opening around it, what is flat gives way and edges stay, like a ghost of it; what is in focus stays as it is (Bruckner and Gröller 2005)</source>
-        <translation>Rien n'est enlevé : devant la cible et dans l'ouverture autour, ce qui est plat s'efface et les arêtes restent, comme un fantôme ; la cible reste telle quelle (Bruckner et Gröller 2005)</translation>
+        <translation>Rien n&apos;est enlevé&#xa0;: devant la cible et dans l&apos;ouverture autour, ce qui est plat s&apos;efface et les arêtes restent, comme un fantôme&#xa0;; la cible reste telle quelle (Bruckner et Gröller 2005)</translation>
     </message>
     <message>
         <source>Ghosting</source>
@@ -1638,7 +1658,7 @@ Cosinus de l'angle avec la plus proche des six</translation>
     </message>
     <message>
         <source>How much of what is flat in front of the selection gives way; 0 fades nothing</source>
-        <translation>Part de ce qui est plat devant la sélection qui s'efface ; 0 n'estompe rien</translation>
+        <translation>Part de ce qui est plat devant la sélection qui s&apos;efface&#xa0;; 0 n&apos;estompe rien</translation>
     </message>
     <message>
         <source>Edges from</source>
@@ -1646,7 +1666,7 @@ Cosinus de l'angle avec la plus proche des six</translation>
     </message>
     <message>
         <source>Gradient of which half stays in front of the selection, as a share of the steepest that the volume can have: less keeps fainter edges</source>
-        <translation>Gradient dont la moitié reste devant la sélection, en part du plus raide possible dans le volume : moins garde des arêtes plus faibles</translation>
+        <translation>Gradient dont la moitié reste devant la sélection, en part du plus raide possible dans le volume&#xa0;: moins garde des arêtes plus faibles</translation>
     </message>
     <message>
         <source>Outlines</source>
@@ -1654,7 +1674,7 @@ Cosinus de l'angle avec la plus proche des six</translation>
     </message>
     <message>
         <source>How much edges that face you give way, too, so that outlines stay in front of the selection</source>
-        <translation>Part des arêtes qui vous font face et qui s'effacent aussi, pour que les contours restent devant la sélection</translation>
+        <translation>Part des arêtes qui vous font face et qui s&apos;effacent aussi, pour que les contours restent devant la sélection</translation>
     </message>
     <message>
         <source>Walls of slices</source>
@@ -1662,7 +1682,7 @@ Cosinus de l'angle avec la plus proche des six</translation>
     </message>
     <message>
         <source>The adaptive cutaway with the slices at the crosshair as walls: behind the volume, or inside the opening (Tory and Swindells 2003)</source>
-        <translation>L'écorché adaptatif avec les coupes au réticule comme parois : derrière le volume, ou dans l'ouverture (Tory et Swindells 2003)</translation>
+        <translation>L&apos;écorché adaptatif avec les coupes au réticule comme parois&#xa0;: derrière le volume, ou dans l&apos;ouverture (Tory et Swindells 2003)</translation>
     </message>
     <message>
         <source>Walls</source>
@@ -1697,7 +1717,7 @@ Cosinus de l'angle avec la plus proche des six</translation>
         <translation>Si la coupe coronale au réticule est une paroi</translation>
     </message>
     <message>
-        <source>Whether the labels' outlines are drawn on the walls</source>
+        <source>Whether the labels&apos; outlines are drawn on the walls</source>
         <translation>Si les contours des étiquettes sont dessinés sur les parois</translation>
     </message>
     <message>
@@ -1706,15 +1726,15 @@ Cosinus de l'angle avec la plus proche des six</translation>
     </message>
     <message>
         <source>Behind the volume, like the walls of a room</source>
-        <translation>Derrière le volume, comme les murs d'une pièce</translation>
+        <translation>Derrière le volume, comme les murs d&apos;une pièce</translation>
     </message>
     <message>
         <source>Inside the opening</source>
-        <translation>Dans l'ouverture</translation>
+        <translation>Dans l&apos;ouverture</translation>
     </message>
     <message>
         <source>Where the slices lie, in the space that the opening removed; before the focus there is none</source>
-        <translation>Là où se trouvent les coupes, dans l'espace dégagé par l'ouverture ; devant la cible il n'y en a pas</translation>
+        <translation>Là où se trouvent les coupes, dans l&apos;espace dégagé par l&apos;ouverture&#xa0;; devant la cible il n&apos;y en a pas</translation>
     </message>
     <message>
         <source>pixels</source>
@@ -1742,7 +1762,7 @@ Cosinus de l'angle avec la plus proche des six</translation>
     </message>
     <message>
         <source>A blade along the stroke, away from you; a stroke that comes back to its start takes out what it encloses</source>
-        <translation>Une lame le long du trait, vers l'avant ; un trait qui revient à son début enlève ce qu'il entoure</translation>
+        <translation>Une lame le long du trait, vers l&apos;avant&#xa0;; un trait qui revient à son début enlève ce qu&apos;il entoure</translation>
     </message>
     <message>
         <source>Plane</source>
@@ -1750,7 +1770,7 @@ Cosinus de l'angle avec la plus proche des six</translation>
     </message>
     <message>
         <source>A plane through the stroke that removes what lies to the right of it, and that you bend by dragging</source>
-        <translation>Un plan par le trait, qui enlève ce qui est à sa droite et que l'on courbe en glissant</translation>
+        <translation>Un plan par le trait, qui enlève ce qui est à sa droite et que l&apos;on courbe en glissant</translation>
     </message>
     <message>
         <source>Restore</source>
@@ -1758,7 +1778,7 @@ Cosinus de l'angle avec la plus proche des six</translation>
     </message>
     <message>
         <source>Brings back what the opening removed</source>
-        <translation>Ramène ce que l'ouverture a enlevé</translation>
+        <translation>Ramène ce que l&apos;ouverture a enlevé</translation>
     </message>
     <message>
         <source>Open</source>
@@ -1766,23 +1786,23 @@ Cosinus de l'angle avec la plus proche des six</translation>
     </message>
     <message>
         <source>Opens further, away from the eye</source>
-        <translation>Ouvre davantage, vers l'avant</translation>
+        <translation>Ouvre davantage, vers l&apos;avant</translation>
     </message>
     <message>
         <source>Fade</source>
         <translation>Estomper</translation>
     </message>
     <message>
-        <source>Shows less of the context's edges over the focus</source>
-        <translation>Montre moins d'arêtes du contexte sur la cible</translation>
+        <source>Shows less of the context&apos;s edges over the focus</source>
+        <translation>Montre moins d&apos;arêtes du contexte sur la cible</translation>
     </message>
     <message>
         <source>Strengthen</source>
         <translation>Renforcer</translation>
     </message>
     <message>
-        <source>Shows more of the context's edges over the focus</source>
-        <translation>Montre plus d'arêtes du contexte sur la cible</translation>
+        <source>Shows more of the context&apos;s edges over the focus</source>
+        <translation>Montre plus d&apos;arêtes du contexte sur la cible</translation>
     </message>
     <message>
         <source>Context</source>
@@ -1798,7 +1818,7 @@ Cosinus de l'angle avec la plus proche des six</translation>
     </message>
     <message>
         <source>Left out of 3-D pictures; slices show its voxels</source>
-        <translation>Absente des images 3D ; les coupes montrent ses voxels</translation>
+        <translation>Absente des images 3D&#xa0;; les coupes montrent ses voxels</translation>
     </message>
     <message>
         <source>Protected</source>
@@ -1822,7 +1842,7 @@ Cosinus de l'angle avec la plus proche des six</translation>
     </message>
     <message>
         <source>What belongs to the clicked tissue more than to any other of the volume</source>
-        <translation>Ce qui appartient au tissu cliqué plus qu'à tout autre du volume</translation>
+        <translation>Ce qui appartient au tissu cliqué plus qu&apos;à tout autre du volume</translation>
     </message>
     <message>
         <source>Straight</source>
@@ -1830,7 +1850,7 @@ Cosinus de l'angle avec la plus proche des six</translation>
     </message>
     <message>
         <source>Straight lines between voxels: coarse scans show terraces</source>
-        <translation>Droites entre voxels : les acquisitions grossières montrent des terrasses</translation>
+        <translation>Droites entre voxels&#xa0;: les acquisitions grossières montrent des terrasses</translation>
     </message>
     <message>
         <source>Curved</source>
@@ -1838,7 +1858,7 @@ Cosinus de l'angle avec la plus proche des six</translation>
     </message>
     <message>
         <source>Smooth curves through every voxel, its noise as well: takes more memory and time</source>
-        <translation>Courbes lisses par chaque voxel, son bruit compris : prend plus de mémoire et de temps</translation>
+        <translation>Courbes lisses par chaque voxel, son bruit compris&#xa0;: prend plus de mémoire et de temps</translation>
     </message>
     <message>
         <source>Smoothed</source>
@@ -1846,7 +1866,7 @@ Cosinus de l'angle avec la plus proche des six</translation>
     </message>
     <message>
         <source>Smooth curves near the voxels: fewer terraces and less noise, but softer detail</source>
-        <translation>Courbes lisses près des voxels : moins de terrasses et de bruit, mais détails adoucis</translation>
+        <translation>Courbes lisses près des voxels&#xa0;: moins de terrasses et de bruit, mais détails adoucis</translation>
     </message>
     <message>
         <source>Smoothed more</source>
@@ -1854,7 +1874,7 @@ Cosinus de l'angle avec la plus proche des six</translation>
     </message>
     <message>
         <source>Smooth curves near means over five voxels: no terraces in coarse scans, but fine detail is lost</source>
-        <translation>Courbes lisses près des moyennes de cinq voxels : pas de terrasses, mais les détails fins se perdent</translation>
+        <translation>Courbes lisses près des moyennes de cinq voxels&#xa0;: pas de terrasses, mais les détails fins se perdent</translation>
     </message>
     <message>
         <source>Automatic</source>
@@ -1869,7 +1889,7 @@ Cosinus de l'angle avec la plus proche des six</translation>
         <translation>Une couleur</translation>
     </message>
     <message>
-        <source>The background's colour everywhere</source>
+        <source>The background&apos;s colour everywhere</source>
         <translation>La couleur du fond partout</translation>
     </message>
     <message>
@@ -1877,7 +1897,7 @@ Cosinus de l'angle avec la plus proche des six</translation>
         <translation>Dégradé</translation>
     </message>
     <message>
-        <source>From the background's colour at the bottom to another at the top</source>
+        <source>From the background&apos;s colour at the bottom to another at the top</source>
         <translation>De la couleur du fond en bas à une autre en haut</translation>
     </message>
     <message>
@@ -1954,7 +1974,7 @@ Cosinus de l'angle avec la plus proche des six</translation>
     </message>
     <message>
         <source>How far the opening reaches beyond the focus (w_open)</source>
-        <translation>De combien l'ouverture dépasse la cible (w_open)</translation>
+        <translation>De combien l&apos;ouverture dépasse la cible (w_open)</translation>
     </message>
     <message>
         <source>Border</source>
@@ -1962,7 +1982,7 @@ Cosinus de l'angle avec la plus proche des six</translation>
     </message>
     <message>
         <source>Width of the line around the opening (w_border)</source>
-        <translation>Largeur de la ligne autour de l'ouverture (w_border)</translation>
+        <translation>Largeur de la ligne autour de l&apos;ouverture (w_border)</translation>
     </message>
     <message>
         <source>Unit</source>
@@ -1970,7 +1990,7 @@ Cosinus de l'angle avec la plus proche des six</translation>
     </message>
     <message>
         <source>Unit of both widths: pixels of the screen, or mm at the depth of the focus, which keep the opening still while zooming</source>
-        <translation>Unité des deux largeurs : pixels de l'écran, ou mm à la profondeur de la cible, qui gardent l'ouverture fixe en zoomant</translation>
+        <translation>Unité des deux largeurs&#xa0;: pixels de l&apos;écran, ou mm à la profondeur de la cible, qui gardent l&apos;ouverture fixe en zoomant</translation>
     </message>
     <message>
         <source>Border colour</source>
@@ -1978,23 +1998,23 @@ Cosinus de l'angle avec la plus proche des six</translation>
     </message>
     <message>
         <source>Colour of the line around the opening</source>
-        <translation>Couleur de la ligne autour de l'ouverture</translation>
+        <translation>Couleur de la ligne autour de l&apos;ouverture</translation>
     </message>
     <message>
         <source>Axis offset</source>
-        <translation>Décalage d'axe</translation>
+        <translation>Décalage d&apos;axe</translation>
     </message>
     <message>
-        <source>Angle between the opening's axis and the line of sight, so that its depth shows</source>
-        <translation>Angle entre l'axe de l'ouverture et la ligne de visée, pour que sa profondeur se voie</translation>
+        <source>Angle between the opening&apos;s axis and the line of sight, so that its depth shows</source>
+        <translation>Angle entre l&apos;axe de l&apos;ouverture et la ligne de visée, pour que sa profondeur se voie</translation>
     </message>
     <message>
         <source>Direction</source>
         <translation>Direction</translation>
     </message>
     <message>
-        <source>To which side of the picture the opening's axis leans: 0 is the right, 90 the top</source>
-        <translation>Vers quel côté de l'image penche l'axe de l'ouverture : 0 est la droite, 90 le haut</translation>
+        <source>To which side of the picture the opening&apos;s axis leans: 0 is the right, 90 the top</source>
+        <translation>Vers quel côté de l&apos;image penche l&apos;axe de l&apos;ouverture&#xa0;: 0 est la droite, 90 le haut</translation>
     </message>
     <message>
         <source>Strength</source>
@@ -2002,22 +2022,22 @@ Cosinus de l'angle avec la plus proche des six</translation>
     </message>
     <message>
         <source>How strongly the edges of the removed context are drawn over the focus; 0 draws none</source>
-        <translation>Force des arêtes du contexte enlevé dessinées sur la cible ; 0 n'en dessine aucune</translation>
+        <translation>Force des arêtes du contexte enlevé dessinées sur la cible&#xa0;; 0 n&apos;en dessine aucune</translation>
     </message>
     <message>
         <source>Curvature</source>
         <translation>Courbure</translation>
     </message>
     <message>
-        <source>How much bends of the context's surface count as edges: eyes, nose, ears</source>
-        <translation>Combien les courbures de la surface du contexte comptent comme arêtes : yeux, nez, oreilles</translation>
+        <source>How much bends of the context&apos;s surface count as edges: eyes, nose, ears</source>
+        <translation>Combien les courbures de la surface du contexte comptent comme arêtes&#xa0;: yeux, nez, oreilles</translation>
     </message>
     <message>
         <source>Silhouette</source>
         <translation>Silhouette</translation>
     </message>
     <message>
-        <source>How much the context's outlines, where its surface is seen edge-on, count as edges</source>
+        <source>How much the context&apos;s outlines, where its surface is seen edge-on, count as edges</source>
         <translation>Combien les contours du contexte, là où sa surface est vue par la tranche, comptent comme arêtes</translation>
     </message>
     <message>
@@ -2025,15 +2045,15 @@ Cosinus de l'angle avec la plus proche des six</translation>
         <translation>Éclairage</translation>
     </message>
     <message>
-        <source>How much the light on the context's surface shades its edges; 0 draws them flat</source>
-        <translation>Combien la lumière sur la surface du contexte ombre ses arêtes ; 0 les dessine à plat</translation>
+        <source>How much the light on the context&apos;s surface shades its edges; 0 draws them flat</source>
+        <translation>Combien la lumière sur la surface du contexte ombre ses arêtes&#xa0;; 0 les dessine à plat</translation>
     </message>
     <message>
         <source>Value</source>
         <translation>Couleur propre</translation>
     </message>
     <message>
-        <source>How much the edges take the context's own colour</source>
+        <source>How much the edges take the context&apos;s own colour</source>
         <translation>Combien les arêtes prennent la couleur du contexte</translation>
     </message>
     <message>
@@ -2041,7 +2061,7 @@ Cosinus de l'angle avec la plus proche des six</translation>
         <translation>Saturation</translation>
     </message>
     <message>
-        <source>How saturated the context's own colour is in its edges</source>
+        <source>How saturated the context&apos;s own colour is in its edges</source>
         <translation>Saturation de la couleur du contexte dans ses arêtes</translation>
     </message>
     <message>
@@ -2050,14 +2070,14 @@ Cosinus de l'angle avec la plus proche des six</translation>
     </message>
     <message>
         <source>How much of the focus the edges may cover at most: the strongest stay; 1 keeps all</source>
-        <translation>Part de la cible que les arêtes peuvent couvrir au plus : les plus fortes restent ; 1 les garde toutes</translation>
+        <translation>Part de la cible que les arêtes peuvent couvrir au plus&#xa0;: les plus fortes restent&#xa0;; 1 les garde toutes</translation>
     </message>
     <message>
         <source>Colour</source>
         <translation>Couleur</translation>
     </message>
     <message>
-        <source>Colour of the context's edges</source>
+        <source>Colour of the context&apos;s edges</source>
         <translation>Couleur des arêtes du contexte</translation>
     </message>
     <message>
@@ -2098,7 +2118,7 @@ Cosinus de l'angle avec la plus proche des six</translation>
     </message>
     <message>
         <source>Exponent of the highlights: a larger one makes them smaller and sharper</source>
-        <translation>Exposant des reflets : plus grand, il les rend plus petits et plus nets</translation>
+        <translation>Exposant des reflets&#xa0;: plus grand, il les rend plus petits et plus nets</translation>
     </message>
     <message>
         <source>Light azimuth</source>
@@ -2106,7 +2126,7 @@ Cosinus de l'angle avec la plus proche des six</translation>
     </message>
     <message>
         <source>Where the light comes from: 0 is behind the viewer, 90 the right of the picture</source>
-        <translation>D'où vient la lumière : 0 est derrière l'observateur, 90 la droite de l'image</translation>
+        <translation>D&apos;où vient la lumière&#xa0;: 0 est derrière l&apos;observateur, 90 la droite de l&apos;image</translation>
     </message>
     <message>
         <source>Light elevation</source>
@@ -2114,7 +2134,7 @@ Cosinus de l'angle avec la plus proche des six</translation>
     </message>
     <message>
         <source>How high the light stands: 90 is the top of the picture, -90 the bottom</source>
-        <translation>Hauteur de la lumière : 90 est le haut de l'image, -90 le bas</translation>
+        <translation>Hauteur de la lumière&#xa0;: 90 est le haut de l&apos;image, -90 le bas</translation>
     </message>
     <message>
         <source>Occlusion</source>
@@ -2122,7 +2142,7 @@ Cosinus de l'angle avec la plus proche des six</translation>
     </message>
     <message>
         <source>How dark hollows are, which what is around them hides from the light from all sides; 0 leaves them as bright as the rest and costs nothing</source>
-        <translation>À quel point les creux, privés de la lumière ambiante par ce qui les entoure, sont sombres ; 0 les laisse aussi clairs que le reste et ne coûte rien</translation>
+        <translation>À quel point les creux, privés de la lumière ambiante par ce qui les entoure, sont sombres&#xa0;; 0 les laisse aussi clairs que le reste et ne coûte rien</translation>
     </message>
     <message>
         <source>Soft shadow</source>
@@ -2130,11 +2150,11 @@ Cosinus de l'angle avec la plus proche des six</translation>
     </message>
     <message>
         <source>How dark the shadows are that the volume, as it is cut open, casts on itself; 0 casts none and costs nothing</source>
-        <translation>À quel point sont sombres les ombres que le volume ouvert porte sur lui-même ; 0 n'en porte aucune et ne coûte rien</translation>
+        <translation>À quel point sont sombres les ombres que le volume ouvert porte sur lui-même&#xa0;; 0 n&apos;en porte aucune et ne coûte rien</translation>
     </message>
     <message>
         <source>Colour of a focus of values; labels have colours of their own</source>
-        <translation>Couleur d'une cible par valeurs ; les étiquettes ont les leurs</translation>
+        <translation>Couleur d&apos;une cible par valeurs&#xa0;; les étiquettes ont les leurs</translation>
     </message>
     <message>
         <source>Extinction</source>
@@ -2142,7 +2162,7 @@ Cosinus de l'angle avec la plus proche des six</translation>
     </message>
     <message>
         <source>Extinction coefficient of the focus</source>
-        <translation>Coefficient d'extinction de la cible</translation>
+        <translation>Coefficient d&apos;extinction de la cible</translation>
     </message>
     <message>
         <source>1/mm</source>
@@ -2154,7 +2174,7 @@ Cosinus de l'angle avec la plus proche des six</translation>
     </message>
     <message>
         <source>Volume below which an island of a focus of values is left out</source>
-        <translation>Volume sous lequel un îlot d'une cible par valeurs est omis</translation>
+        <translation>Volume sous lequel un îlot d&apos;une cible par valeurs est omis</translation>
     </message>
     <message>
         <source>mm³</source>
@@ -2174,7 +2194,7 @@ Cosinus de l'angle avec la plus proche des six</translation>
     </message>
     <message>
         <source>Colour behind the volume; of a gradient, at the bottom</source>
-        <translation>Couleur derrière le volume ; d'un dégradé, celle du bas</translation>
+        <translation>Couleur derrière le volume&#xa0;; d&apos;un dégradé, celle du bas</translation>
     </message>
     <message>
         <source>Backdrop</source>
@@ -2190,15 +2210,15 @@ Cosinus de l'angle avec la plus proche des six</translation>
     </message>
     <message>
         <source>Colour of a gradient behind the volume at the top</source>
-        <translation>Couleur du haut d'un dégradé derrière le volume</translation>
+        <translation>Couleur du haut d&apos;un dégradé derrière le volume</translation>
     </message>
     <message>
         <source>Hide the table</source>
         <translation>Masquer la table</translation>
     </message>
     <message>
-        <source>Whether 3-D pictures of a CT leave out the scanner's table, head rest and cushions</source>
-        <translation>Si les images 3D d'une TDM omettent la table, l'appui-tête et les coussins du scanner</translation>
+        <source>Whether 3-D pictures of a CT leave out the scanner&apos;s table, head rest and cushions</source>
+        <translation>Si les images 3D d&apos;une TDM omettent la table, l&apos;appui-tête et les coussins du scanner</translation>
     </message>
     <message>
         <source>Between voxels</source>
@@ -2214,7 +2234,7 @@ Cosinus de l'angle avec la plus proche des six</translation>
     </message>
     <message>
         <source>How far 3-D pictures smooth the surface of labels in focus: it stays within the voxels that it passes through, and keeps its volume</source>
-        <translation>De combien les images 3D lissent la surface des étiquettes ciblées : elle reste dans les voxels qu'elle traverse et garde son volume</translation>
+        <translation>De combien les images 3D lissent la surface des étiquettes ciblées&#xa0;: elle reste dans les voxels qu&apos;elle traverse et garde son volume</translation>
     </message>
     <message>
         <source>Edges</source>
@@ -2246,7 +2266,7 @@ Cosinus de l'angle avec la plus proche des six</translation>
     </message>
     <message>
         <source>Share of the radius over which the effect fades out</source>
-        <translation>Part du rayon sur laquelle l'effet s'estompe</translation>
+        <translation>Part du rayon sur laquelle l&apos;effet s&apos;estompe</translation>
     </message>
     <message>
         <source>Depth</source>
@@ -2261,16 +2281,16 @@ Cosinus de l'angle avec la plus proche des six</translation>
         <translation>Quantité</translation>
     </message>
     <message>
-        <source>How much of the context's edges Fade takes or Strengthen adds</source>
+        <source>How much of the context&apos;s edges Fade takes or Strengthen adds</source>
         <translation>Combien Estomper retire ou Renforcer ajoute aux arêtes du contexte</translation>
     </message>
     <message>
         <source>To the surface</source>
-        <translation>Jusqu'à la surface</translation>
+        <translation>Jusqu&apos;à la surface</translation>
     </message>
     <message>
-        <source>Whether Restore reaches to the context's first surface, however deep that lies</source>
-        <translation>Si Restaurer va jusqu'à la première surface du contexte, quelle que soit sa profondeur</translation>
+        <source>Whether Restore reaches to the context&apos;s first surface, however deep that lies</source>
+        <translation>Si Restaurer va jusqu&apos;à la première surface du contexte, quelle que soit sa profondeur</translation>
     </message>
     <message>
         <source>May cover the focus</source>
@@ -2290,7 +2310,7 @@ Cosinus de l'angle avec la plus proche des six</translation>
     </message>
     <message>
         <source>View in which it shows: 0 for C1, 1 for C2, -1 for both</source>
-        <translation>Vue où il apparaît : 0 pour C1, 1 pour C2, -1 pour les deux</translation>
+        <translation>Vue où il apparaît&#xa0;: 0 pour C1, 1 pour C2, -1 pour les deux</translation>
     </message>
     <message>
         <source>Edges and border</source>
@@ -2301,7 +2321,7 @@ Cosinus de l'angle avec la plus proche des six</translation>
         <translation>Coupe seule</translation>
     </message>
     <message>
-        <source>Context's edges</source>
+        <source>Context&apos;s edges</source>
         <translation>Arêtes du contexte</translation>
     </message>
     <message>
@@ -2345,28 +2365,12 @@ Cosinus de l'angle avec la plus proche des six</translation>
         <translation>Lumière égale qui garde les couleurs distinctes</translation>
     </message>
     <message>
-        <source>Brain</source>
-        <translation>Cerveau</translation>
-    </message>
-    <message>
-        <source>Abdomen</source>
-        <translation>Abdomen</translation>
-    </message>
-    <message>
-        <source>Mediastinum</source>
-        <translation>Médiastin</translation>
-    </message>
-    <message>
-        <source>Lung</source>
-        <translation>Poumon</translation>
-    </message>
-    <message>
         <source>the point lies outside of the volume</source>
         <translation>le point est hors du volume</translation>
     </message>
     <message>
         <source>the point lies in air, where there is no structure</source>
-        <translation>le point est dans l'air, où il n'y a pas de structure</translation>
+        <translation>le point est dans l&apos;air, où il n&apos;y a pas de structure</translation>
     </message>
     <message>
         <source>no region can be grown from the point</source>
@@ -2450,7 +2454,7 @@ Cosinus de l'angle avec la plus proche des six</translation>
     </message>
     <message>
         <source>the only one that is no overview, capture or reformat</source>
-        <translation>la seule qui n'est ni repérage, ni capture, ni reformatage</translation>
+        <translation>la seule qui n&apos;est ni repérage, ni capture, ni reformatage</translation>
     </message>
     <message>
         <source>the only %1</source>
@@ -2530,7 +2534,7 @@ Cosinus de l'angle avec la plus proche des six</translation>
     </message>
     <message>
         <source>Editing the label</source>
-        <translation>Modification de l'étiquette</translation>
+        <translation>Modification de l&apos;étiquette</translation>
     </message>
     <message>
         <source>acquired volume</source>
@@ -2546,15 +2550,15 @@ Cosinus de l'angle avec la plus proche des six</translation>
     </message>
     <message>
         <source>volume that is no overview, capture or reformat</source>
-        <translation>volume qui n'est ni repérage, ni capture, ni reformatage</translation>
+        <translation>volume qui n&apos;est ni repérage, ni capture, ni reformatage</translation>
     </message>
     <message>
         <source>stack of slices that is no overview, capture or reformat</source>
-        <translation>pile de coupes qui n'est ni repérage, ni capture, ni reformatage</translation>
+        <translation>pile de coupes qui n&apos;est ni repérage, ni capture, ni reformatage</translation>
     </message>
     <message>
         <source>image that is no overview, capture or reformat</source>
-        <translation>image qui n'est ni repérage, ni capture, ni reformatage</translation>
+        <translation>image qui n&apos;est ni repérage, ni capture, ni reformatage</translation>
     </message>
     <message>
         <source>As the desktop</source>
@@ -2562,8 +2566,8 @@ Cosinus de l'angle avec la plus proche des six</translation>
     </message>
     <message>
         <source>How deep the focus lies; below 0 prefers views with little in front of it.
-vd1 = mean depth of the focus's pixels / diameter of the model's sphere</source>
-        <translation>Profondeur de la cible ; sous 0, préfère les vues avec peu de choses devant.
+vd1 = mean depth of the focus&apos;s pixels / diameter of the model&apos;s sphere</source>
+        <translation>Profondeur de la cible&#xa0;; sous 0, préfère les vues avec peu de choses devant.
 vd1 = profondeur moyenne des pixels de la cible / diamètre de la sphère du modèle</translation>
     </message>
     <message>
@@ -2573,8 +2577,8 @@ vd1 = profondeur moyenne des pixels de la cible / diamètre de la sphère du mod
     <message>
         <source>How large the focus is in the picture.
 vd2 = pixels of the focus / pixels of the picture</source>
-        <translation>Taille de la cible dans l'image.
-vd2 = pixels de la cible / pixels de l'image</translation>
+        <translation>Taille de la cible dans l&apos;image.
+vd2 = pixels de la cible / pixels de l&apos;image</translation>
     </message>
     <message>
         <source>Centring</source>
@@ -2583,8 +2587,8 @@ vd2 = pixels de la cible / pixels de l'image</translation>
     <message>
         <source>How near to the middle of the picture it is.
 vd3 = 1 − distance of its centroid from the middle / distance of a corner</source>
-        <translation>Proximité du milieu de l'image.
-vd3 = 1 − distance de son centre de gravité au milieu / distance d'un coin</translation>
+        <translation>Proximité du milieu de l&apos;image.
+vd3 = 1 − distance de son centre de gravité au milieu / distance d&apos;un coin</translation>
     </message>
     <message>
         <source>Cut ends</source>
@@ -2592,9 +2596,9 @@ vd3 = 1 − distance de son centre de gravité au milieu / distance d'un coin</t
     </message>
     <message>
         <source>Below 0 avoids looking at the focus through a face where the scan cuts the body off.
-Share of the focus's pixels whose rays enter the volume inside the body</source>
-        <translation>Sous 0, évite de regarder la cible à travers une face où l'acquisition coupe le corps.
-Part des pixels de la cible dont les rayons entrent dans le volume à l'intérieur du corps</translation>
+Share of the focus&apos;s pixels whose rays enter the volume inside the body</source>
+        <translation>Sous 0, évite de regarder la cible à travers une face où l&apos;acquisition coupe le corps.
+Part des pixels de la cible dont les rayons entrent dans le volume à l&apos;intérieur du corps</translation>
     </message>
     <message>
         <source>Evenness</source>
@@ -2633,8 +2637,8 @@ Entropie du point de vue −Σ p log p des points vus, sur son maximum (Bordoloi
     <message>
         <source>How near the view is to anterior, left, superior …: a little decides between equally good views.
 Cosine of the angle to the nearest of the six</source>
-        <translation>Proximité de la vue avec antérieure, gauche, supérieure … : un peu départage des vues aussi bonnes.
-Cosinus de l'angle avec la plus proche des six</translation>
+        <translation>Proximité de la vue avec antérieure, gauche, supérieure …&#xa0;: un peu départage des vues aussi bonnes.
+Cosinus de l&apos;angle avec la plus proche des six</translation>
     </message>
     <message>
         <source>Not through cut ends</source>
@@ -2642,15 +2646,15 @@ Cosinus de l'angle avec la plus proche des six</translation>
     </message>
     <message>
         <source>No view within 45° of an end of the scan where the body goes on, while another one shows at least two thirds as much of the focus</source>
-        <translation>Aucune vue à moins de 45° d'une extrémité de l'acquisition où le corps continue, si une autre montre au moins deux tiers autant de la cible</translation>
+        <translation>Aucune vue à moins de 45° d&apos;une extrémité de l&apos;acquisition où le corps continue, si une autre montre au moins deux tiers autant de la cible</translation>
     </message>
     <message>
         <source>From around before from above</source>
-        <translation>D'autour avant d'en haut</translation>
+        <translation>D&apos;autour avant d&apos;en haut</translation>
     </message>
     <message>
         <source>From the front, from behind, the left or the right rather than from above or below, where both show about as much</source>
-        <translation>De face, de dos, de gauche ou de droite plutôt que d'en haut ou d'en bas, si les deux montrent à peu près autant</translation>
+        <translation>De face, de dos, de gauche ou de droite plutôt que d&apos;en haut ou d&apos;en bas, si les deux montrent à peu près autant</translation>
     </message>
     <message>
         <source>Thin stacks from the front</source>
@@ -2658,7 +2662,7 @@ Cosinus de l'angle avec la plus proche des six</translation>
     </message>
     <message>
         <source>A stack of a few slices, or one much thinner than wide, is seen from the side from which its slices are shown, not edge-on</source>
-        <translation>Une pile de quelques coupes, ou bien plus mince que large, est vue du côté où ses coupes s'affichent, pas par la tranche</translation>
+        <translation>Une pile de quelques coupes, ou bien plus mince que large, est vue du côté où ses coupes s&apos;affichent, pas par la tranche</translation>
     </message>
     <message>
         <source>From the near side</source>
@@ -2669,8 +2673,8 @@ Cosinus de l'angle avec la plus proche des six</translation>
         <translation>Langue (au prochain démarrage)</translation>
     </message>
     <message>
-        <source>Language of the window's texts and numbers; it changes when Fenestra starts again</source>
-        <translation>Langue des textes et des nombres de la fenêtre ; elle change au redémarrage de Fenestra</translation>
+        <source>Language of the window&apos;s texts and numbers; it changes when Fenestra starts again</source>
+        <translation>Langue des textes et des nombres de la fenêtre&#xa0;; elle change au redémarrage de Fenestra</translation>
     </message>
     <message>
         <source>Usual side</source>
@@ -2678,7 +2682,7 @@ Cosinus de l'angle avec la plus proche des six</translation>
     </message>
     <message>
         <source>How usual the view is: from the front rather than from the side, from behind, from above or below</source>
-        <translation>À quel point la vue est habituelle : de face plutôt que de côté, de dos, d'en haut ou d'en bas</translation>
+        <translation>À quel point la vue est habituelle&#xa0;: de face plutôt que de côté, de dos, d&apos;en haut ou d&apos;en bas</translation>
     </message>
     <message>
         <source>Last view</source>
@@ -2693,8 +2697,8 @@ Cosinus de l'angle avec la plus proche des six</translation>
         <translation>Forme</translation>
     </message>
     <message>
-        <source>How well the view shows the structure's shape around the point: onto what is flat, across what is long</source>
-        <translation>Comment la vue montre la forme de la structure autour du point : de face si plate, en travers si longue</translation>
+        <source>How well the view shows the structure&apos;s shape around the point: onto what is flat, across what is long</source>
+        <translation>Comment la vue montre la forme de la structure autour du point&#xa0;: de face si plate, en travers si longue</translation>
     </message>
     <message>
         <source>Unhidden</source>
@@ -2709,8 +2713,47 @@ Cosinus de l'angle avec la plus proche des six</translation>
         <translation>Convention neurologique</translation>
     </message>
     <message>
-        <source>Axial and coronal slices show the patient's left on the left; otherwise it is on the right, as radiologists have it</source>
-        <translation>Les coupes axiales et coronales montrent la gauche du patient à gauche ; sinon à droite, comme en radiologie</translation>
+        <source>Axial and coronal slices show the patient&apos;s left on the left; otherwise it is on the right, as radiologists have it</source>
+        <translation>Les coupes axiales et coronales montrent la gauche du patient à gauche&#xa0;; sinon à droite, comme en radiologie</translation>
+    </message>
+    <message>
+        <source>Objects of archives, at most</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Disk space for what was retrieved from archive servers: the series used longest ago go first</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>GB</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>de-identifying</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>listing files</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>Slab</name>
+    <message>
+        <source>MIP</source>
+        <translation>MIP</translation>
+    </message>
+    <message>
+        <source>MinIP</source>
+        <translation>MinIP</translation>
+    </message>
+    <message>
+        <source>Mean</source>
+        <translation>Moyenne</translation>
+    </message>
+    <message>
+        <source>%1 %2 mm</source>
+        <translation>%1 %L2 mm</translation>
     </message>
 </context>
 <context>
@@ -2729,7 +2772,7 @@ Cosinus de l'angle avec la plus proche des six</translation>
     </message>
     <message>
         <source>Grow a region from here</source>
-        <translation>Faire croître une région d'ici</translation>
+        <translation>Faire croître une région d&apos;ici</translation>
     </message>
     <message>
         <source>Add this to the region</source>
@@ -2749,6 +2792,37 @@ Cosinus de l'angle avec la plus proche des six</translation>
     </message>
 </context>
 <context>
+    <name>ViewArea</name>
+    <message>
+        <source>&amp;Five views</source>
+        <translation>&amp;Cinq vues</translation>
+    </message>
+    <message>
+        <source>C&amp;1 and C2</source>
+        <translation>C&amp;1 et C2</translation>
+    </message>
+    <message>
+        <source>&amp;3-D large, three slices</source>
+        <translation>&amp;3D en grand, trois coupes</translation>
+    </message>
+    <message>
+        <source>&amp;Slices alone</source>
+        <translation>Coupes &amp;seules</translation>
+    </message>
+    <message>
+        <source>&amp;Axial large</source>
+        <translation>&amp;Axial en grand</translation>
+    </message>
+    <message>
+        <source>F&amp;our: C1 and slices</source>
+        <translation>&amp;Quatre&#xa0;: C1 et coupes</translation>
+    </message>
+    <message>
+        <source>C1 &amp;beside axial</source>
+        <translation>C1 à côté &amp;d&apos;axial</translation>
+    </message>
+</context>
+<context>
     <name>WayOut</name>
     <message>
         <source>File → Choose series has the others</source>
@@ -2756,15 +2830,15 @@ Cosinus de l'angle avec la plus proche des six</translation>
     </message>
     <message>
         <source>it holds one volume: open it without a time point</source>
-        <translation>il contient un seul volume : ouvrez-le sans instant</translation>
+        <translation>il contient un seul volume&#xa0;: ouvrez-le sans instant</translation>
     </message>
     <message>
         <source>open it without naming a series; File → Choose series then lists those that are there</source>
-        <translation>ouvrez-le sans indiquer de série ; Fichier → Choisir la série liste alors celles qui existent</translation>
+        <translation>ouvrez-le sans indiquer de série&#xa0;; Fichier → Choisir la série liste alors celles qui existent</translation>
     </message>
     <message>
         <source>open it as a volume: a dialog asks for the size</source>
-        <translation>ouvrez-le comme volume : un dialogue demande la taille</translation>
+        <translation>ouvrez-le comme volume&#xa0;: un dialogue demande la taille</translation>
     </message>
     <message>
         <source>File → Size of the voxels says otherwise</source>
@@ -2784,19 +2858,19 @@ Cosinus de l'angle avec la plus proche des six</translation>
     </message>
     <message>
         <source>open it as it is stored: Load as is, in the notice about its slices</source>
-        <translation>ouvrez-le tel qu'il est stocké : Charger tel quel, dans l'avis sur ses coupes</translation>
+        <translation>ouvrez-le tel qu&apos;il est stocké&#xa0;: Charger tel quel, dans l&apos;avis sur ses coupes</translation>
     </message>
     <message>
         <source>DICOM, NIfTI, NRRD, MetaImage, MGH, Analyze and TIFF are recognised by content</source>
         <translation>DICOM, NIfTI, NRRD, MetaImage, MGH, Analyze et TIFF sont reconnus par leur contenu</translation>
     </message>
     <message>
-        <source>"Hide the table" in the panel Context brings it back</source>
-        <translation>« Masquer la table » dans le panneau Contexte la ramène</translation>
+        <source>&quot;Hide the table&quot; in the panel Context brings it back</source>
+        <translation>«&#xa0;Masquer la table&#xa0;» dans le panneau Contexte la ramène</translation>
     </message>
     <message>
         <source>open a label map with File → Open labels</source>
-        <translation>ouvrez une carte d'étiquettes avec Fichier → Ouvrir des étiquettes</translation>
+        <translation>ouvrez une carte d&apos;étiquettes avec Fichier → Ouvrir des étiquettes</translation>
     </message>
     <message>
         <source>choose one in the panel Focus</source>
@@ -2847,7 +2921,7 @@ Cosinus de l'angle avec la plus proche des six</translation>
     </message>
     <message>
         <source>&amp;User guide</source>
-        <translation>&amp;Guide de l'utilisateur</translation>
+        <translation>&amp;Guide de l&apos;utilisateur</translation>
     </message>
     <message>
         <source>Guided &amp;tour</source>
@@ -2927,7 +3001,7 @@ Cosinus de l'angle avec la plus proche des six</translation>
     </message>
     <message>
         <source>Open a &amp;table of labels…</source>
-        <translation>Ouvrir une &amp;table d'étiquettes…</translation>
+        <translation>Ouvrir une &amp;table d&apos;étiquettes…</translation>
     </message>
     <message>
         <source>Si&amp;ze of the voxels…</source>
@@ -2999,7 +3073,7 @@ Cosinus de l'angle avec la plus proche des six</translation>
     </message>
     <message>
         <source>Nothing yet</source>
-        <translation>Rien pour l'instant</translation>
+        <translation>Rien pour l&apos;instant</translation>
     </message>
     <message>
         <source>Forget these</source>
@@ -3055,7 +3129,7 @@ Cosinus de l'angle avec la plus proche des six</translation>
     </message>
     <message>
         <source>&amp;Copy picture</source>
-        <translation>&amp;Copier l'image</translation>
+        <translation>&amp;Copier l&apos;image</translation>
     </message>
     <message>
         <source>Se&amp;ttings…</source>
@@ -3179,7 +3253,7 @@ Cosinus de l'angle avec la plus proche des six</translation>
     </message>
     <message>
         <source>Computes pixels drawn at random again, in double precision, and states how exact the picture is</source>
-        <translation>Recalcule en double précision des pixels tirés au hasard et indique l'exactitude de l'image</translation>
+        <translation>Recalcule en double précision des pixels tirés au hasard et indique l&apos;exactitude de l&apos;image</translation>
     </message>
     <message>
         <source>All &amp;views</source>
@@ -3279,7 +3353,7 @@ Cosinus de l'angle avec la plus proche des six</translation>
     </message>
     <message>
         <source>&amp;Freeze the opening</source>
-        <translation>&amp;Figer l'ouverture</translation>
+        <translation>&amp;Figer l&apos;ouverture</translation>
     </message>
     <message>
         <source>F</source>
@@ -3291,7 +3365,7 @@ Cosinus de l'angle avec la plus proche des six</translation>
     </message>
     <message>
         <source>Keeps the opening where it is while the cameras move, so that they look into it (%1)</source>
-        <translation>Laisse l'ouverture en place pendant que les caméras bougent, pour regarder à l'intérieur (%1)</translation>
+        <translation>Laisse l&apos;ouverture en place pendant que les caméras bougent, pour regarder à l&apos;intérieur (%1)</translation>
     </message>
     <message>
         <source>&amp;Crosshair</source>
@@ -3330,8 +3404,8 @@ Cosinus de l'angle avec la plus proche des six</translation>
         <translation>&amp;Qualité au repos</translation>
     </message>
     <message>
-        <source>Bound on the error that sampling leaves in a pixel's colour</source>
-        <translation>Borne de l'erreur que l'échantillonnage laisse dans la couleur d'un pixel</translation>
+        <source>Bound on the error that sampling leaves in a pixel&apos;s colour</source>
+        <translation>Borne de l&apos;erreur que l&apos;échantillonnage laisse dans la couleur d&apos;un pixel</translation>
     </message>
     <message>
         <source>&amp;Slices</source>
@@ -3395,7 +3469,7 @@ Cosinus de l'angle avec la plus proche des six</translation>
     </message>
     <message>
         <source>&amp;Close study</source>
-        <translation>Fer&amp;mer l'examen</translation>
+        <translation>Fer&amp;mer l&apos;examen</translation>
     </message>
     <message>
         <source>Ctrl+W</source>
@@ -3434,10 +3508,6 @@ Cosinus de l'angle avec la plus proche des six</translation>
         <translation>Nom</translation>
     </message>
     <message>
-        <source>S&amp;lices</source>
-        <translation>C&amp;oupes</translation>
-    </message>
-    <message>
         <source>Flip &amp;left and right</source>
         <translation>&amp;Retourner gauche et droite</translation>
     </message>
@@ -3471,7 +3541,7 @@ Cosinus de l'angle avec la plus proche des six</translation>
     </message>
     <message>
         <source>This screen does not say how large it is, so that true size cannot be shown.</source>
-        <translation>Cet écran n'indique pas sa taille : la taille réelle ne peut pas être affichée.</translation>
+        <translation>Cet écran n&apos;indique pas sa taille&#xa0;: la taille réelle ne peut pas être affichée.</translation>
     </message>
     <message>
         <source>&amp;Neurological convention</source>
@@ -3492,7 +3562,9 @@ Cosinus de l'angle avec la plus proche des six</translation>
     <message numerus="yes">
         <source>%n slices a second</source>
         <translation>
-            <numerusform>%n coupe par seconde</numerusform><numerusform>%n coupes par seconde</numerusform></translation>
+            <numerusform>%n coupe par seconde</numerusform>
+            <numerusform>%n coupes par seconde</numerusform>
+        </translation>
     </message>
     <message>
         <source>Play &amp;faster</source>
@@ -3602,6 +3674,26 @@ Cosinus de l'angle avec la plus proche des six</translation>
         <source>Bright structures</source>
         <translation>Structures claires</translation>
     </message>
+    <message>
+        <source>Send to archi&amp;ve…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The open series and its labels, to a server of the panel Archive</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>They are kept in</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>V</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shift+V</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>fenestra::viewer::AppearancePanel</name>
@@ -3615,7 +3707,7 @@ Cosinus de l'angle avec la plus proche des six</translation>
     </message>
     <message>
         <source>Ready-made light: how surfaces give it back, from wherever it comes</source>
-        <translation>Lumière toute prête : comment les surfaces la renvoient, d'où qu'elle vienne</translation>
+        <translation>Lumière toute prête&#xa0;: comment les surfaces la renvoient, d&apos;où qu&apos;elle vienne</translation>
     </message>
     <message>
         <source>own</source>
@@ -3623,33 +3715,206 @@ Cosinus de l'angle avec la plus proche des six</translation>
     </message>
 </context>
 <context>
+    <name>fenestra::viewer::ArchiveDock</name>
+    <message>
+        <source>Archive</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>fenestra::viewer::ArchiveModel</name>
+    <message>
+        <source>Patient %1</source>
+        <translation type="unfinished">Patient %1</translation>
+    </message>
+    <message>
+        <source>No name</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Study %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Series %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Born %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sex %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Accession number %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Study ID %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Part of the body: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Protocol: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Patient, study</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Date</source>
+        <translation type="unfinished">Date</translation>
+    </message>
+    <message>
+        <source>Type</source>
+        <translation type="unfinished">Type</translation>
+    </message>
+    <message>
+        <source>Images</source>
+        <translation type="unfinished">Images</translation>
+    </message>
+</context>
+<context>
+    <name>fenestra::viewer::ArchivePanel</name>
+    <message>
+        <source>No server is entered, so nothing goes over the network. Add the archive server (PACS) that holds your studies; its administrator knows what to enter.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Searching…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cancelled.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The archive server that is asked</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Test</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Asks the server whether it answers (echo), and says what is wrong</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Servers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Add, edit and remove servers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Add a server…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Edit…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation type="unfinished">Enlever</translation>
+    </message>
+    <message>
+        <source>Remove the server</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Remove %1?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Images</source>
+        <translation type="unfinished">Images</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation type="unfinished">Ouvrir</translation>
+    </message>
+    <message>
+        <source>Retrieves the study or series, and opens it once it is whole (double-click, or drag onto a view)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Retrieve</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fetches what is selected into the cache, to be opened later</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>More…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Asks for more of the studies that match</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Asking %1…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 answers, in %2 ms.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing matches. Check the spelling; an asterisk stands for any text, as in *jane*.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Studies: %1, of patients: %2.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There are more: narrow the search, or ask for more.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The server does not match by some of the fields.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>fenestra::viewer::BestViews</name>
     <message>
         <source>One of the best viewpoints; click to look from there with C1</source>
-        <translation>L'un des meilleurs points de vue ; cliquer pour regarder de là avec C1</translation>
+        <translation>L&apos;un des meilleurs points de vue&#xa0;; cliquer pour regarder de là avec C1</translation>
     </message>
 </context>
 <context>
     <name>fenestra::viewer::Brush</name>
     <message>
         <source>Nothing is open: choose a focus first</source>
-        <translation>Rien n'est ouvert : choisir d'abord une cible</translation>
+        <translation>Rien n&apos;est ouvert&#xa0;: choisir d&apos;abord une cible</translation>
     </message>
     <message>
         <source>The opening is switched off</source>
-        <translation>L'ouverture est désactivée</translation>
+        <translation>L&apos;ouverture est désactivée</translation>
     </message>
     <message>
         <source>This method cuts nothing away</source>
-        <translation>Cette méthode n'enlève rien</translation>
+        <translation>Cette méthode n&apos;enlève rien</translation>
     </message>
     <message>
         <source>Nothing is there</source>
-        <translation>Il n'y a rien ici</translation>
+        <translation>Il n&apos;y a rien ici</translation>
     </message>
     <message>
         <source>Nothing was removed here</source>
-        <translation>Rien n'a été enlevé ici</translation>
+        <translation>Rien n&apos;a été enlevé ici</translation>
     </message>
     <message>
         <source>The brush may not cover the focus</source>
@@ -3657,10 +3922,10 @@ Cosinus de l'angle avec la plus proche des six</translation>
     </message>
     <message>
         <source>Open down to the focus already</source>
-        <translation>Déjà ouvert jusqu'à la cible</translation>
+        <translation>Déjà ouvert jusqu&apos;à la cible</translation>
     </message>
     <message>
-        <source>The context's edges are switched off</source>
+        <source>The context&apos;s edges are switched off</source>
         <translation>Les arêtes du contexte sont désactivées</translation>
     </message>
     <message>
@@ -3669,7 +3934,7 @@ Cosinus de l'angle avec la plus proche des six</translation>
     </message>
     <message>
         <source>switch the opening on</source>
-        <translation>activer l'ouverture</translation>
+        <translation>activer l&apos;ouverture</translation>
     </message>
     <message>
         <source>open instead</source>
@@ -3689,7 +3954,7 @@ Cosinus de l'angle avec la plus proche des six</translation>
     </message>
     <message>
         <source>take the adaptive cutaway</source>
-        <translation>prendre l'écorché adaptatif</translation>
+        <translation>prendre l&apos;écorché adaptatif</translation>
     </message>
     <message>
         <source>Open the context</source>
@@ -3700,16 +3965,16 @@ Cosinus de l'angle avec la plus proche des six</translation>
         <translation>Méthode</translation>
     </message>
     <message>
-        <source>Context's edges</source>
+        <source>Context&apos;s edges</source>
         <translation>Arêtes du contexte</translation>
     </message>
     <message>
         <source>Brush: %1</source>
-        <translation>Pinceau : %1</translation>
+        <translation>Pinceau&#xa0;: %1</translation>
     </message>
     <message>
         <source>Space: %1</source>
-        <translation>Espace : %1</translation>
+        <translation>Espace&#xa0;: %1</translation>
     </message>
     <message>
         <source>%1 %2 mm</source>
@@ -3717,7 +3982,7 @@ Cosinus de l'angle avec la plus proche des six</translation>
     </message>
     <message>
         <source>%1 to the surface</source>
-        <translation>%1 jusqu'à la surface</translation>
+        <translation>%1 jusqu&apos;à la surface</translation>
     </message>
     <message>
         <source>%1 %2 %</source>
@@ -3728,7 +3993,7 @@ Cosinus de l'angle avec la plus proche des six</translation>
     <name>fenestra::viewer::BrushPanel</name>
     <message>
         <source>Restore to the surface</source>
-        <translation>Restaurer jusqu'à la surface</translation>
+        <translation>Restaurer jusqu&apos;à la surface</translation>
     </message>
     <message>
         <source>May cover the focus</source>
@@ -3744,11 +4009,11 @@ Cosinus de l'angle avec la plus proche des six</translation>
     </message>
     <message>
         <source>The left button paints; Ctrl+left drag still turns the view (P; E for the opposite brush)</source>
-        <translation>Le bouton gauche peint ; Ctrl+glisser tourne toujours la vue (P ; E pour le pinceau opposé)</translation>
+        <translation>Le bouton gauche peint&#xa0;; Ctrl+glisser tourne toujours la vue (P&#xa0;; E pour le pinceau opposé)</translation>
     </message>
     <message>
         <source>Restore brings back all that was removed under the brush; otherwise no more than the depth</source>
-        <translation>Restaurer ramène tout ce qui a été enlevé sous le pinceau ; sinon pas plus que la profondeur</translation>
+        <translation>Restaurer ramène tout ce qui a été enlevé sous le pinceau&#xa0;; sinon pas plus que la profondeur</translation>
     </message>
     <message>
         <source>Otherwise restored tissue never hides the focus</source>
@@ -3776,6 +4041,45 @@ Cosinus de l'angle avec la plus proche des six</translation>
     </message>
 </context>
 <context>
+    <name>fenestra::viewer::CacheRow</name>
+    <message>
+        <source>Move…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Chooses where objects are kept from now on; those of before stay where they are</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keep objects of archives in</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Clear</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Removes all objects that were retrieved; not while some come in</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Remove all objects that were retrieved? The servers still have them, but sessions that refer to them find their data no more.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Clears…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Counts…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 in %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>fenestra::viewer::CamerasPanel</name>
     <message>
         <source>Place cameras</source>
@@ -3790,7 +4094,7 @@ Cosinus de l'angle avec la plus proche des six</translation>
         <translation>Cherche la meilleure vue de la cible et celle qui la complète (F5)</translation>
     </message>
     <message>
-        <source>The two views see &lt;b&gt;%1 %&lt;/b&gt; of the focus's surface</source>
+        <source>The two views see &lt;b&gt;%1 %&lt;/b&gt; of the focus&apos;s surface</source>
         <translation>Les deux vues voient &lt;b&gt;%1 %&lt;/b&gt; de la surface de la cible</translation>
     </message>
     <message>
@@ -3811,14 +4115,14 @@ Cosinus de l'angle avec la plus proche des six</translation>
     </message>
     <message>
         <source>Choose a focus first</source>
-        <translation>Choisir d'abord une cible</translation>
+        <translation>Choisir d&apos;abord une cible</translation>
     </message>
 </context>
 <context>
     <name>fenestra::viewer::Carving</name>
     <message>
         <source>Carve: %1</source>
-        <translation>Sculpter : %1</translation>
+        <translation>Sculpter&#xa0;: %1</translation>
     </message>
     <message>
         <source>Bend the plane</source>
@@ -3837,7 +4141,7 @@ Cosinus de l'angle avec la plus proche des six</translation>
     </message>
     <message>
         <source>The left button carves in all views when it is let go; Ctrl+left drag still turns the view</source>
-        <translation>Le bouton gauche sculpte dans toutes les vues au relâchement ; Ctrl+glisser tourne toujours la vue</translation>
+        <translation>Le bouton gauche sculpte dans toutes les vues au relâchement&#xa0;; Ctrl+glisser tourne toujours la vue</translation>
     </message>
     <message>
         <source>Brings back all that was carved away</source>
@@ -3856,7 +4160,7 @@ Cosinus de l'angle avec la plus proche des six</translation>
     </message>
     <message>
         <source>Cut everything off behind a plane; up to three</source>
-        <translation>Coupe tout ce qui est derrière un plan ; trois au plus</translation>
+        <translation>Coupe tout ce qui est derrière un plan&#xa0;; trois au plus</translation>
     </message>
     <message>
         <source>Flip</source>
@@ -3864,7 +4168,7 @@ Cosinus de l'angle avec la plus proche des six</translation>
     </message>
     <message>
         <source>Keep the other side of the plane</source>
-        <translation>Garder l'autre côté du plan</translation>
+        <translation>Garder l&apos;autre côté du plan</translation>
     </message>
     <message>
         <source>Remove</source>
@@ -3895,11 +4199,11 @@ Cosinus de l'angle avec la plus proche des six</translation>
         <translation>I – S</translation>
     </message>
     <message>
-        <source>The patient's right end of the box</source>
+        <source>The patient&apos;s right end of the box</source>
         <translation>Côté droit de la boîte (celui du patient)</translation>
     </message>
     <message>
-        <source>The patient's left end of the box</source>
+        <source>The patient&apos;s left end of the box</source>
         <translation>Côté gauche de la boîte (celui du patient)</translation>
     </message>
     <message>
@@ -3919,8 +4223,8 @@ Cosinus de l'angle avec la plus proche des six</translation>
         <translation>Face supérieure de la boîte</translation>
     </message>
     <message>
-        <source>Drag a plane's square to move it, and the ball at its arrow to tilt it, in any view</source>
-        <translation>Glisser le carré d'un plan pour le déplacer et la boule de sa flèche pour l'incliner, dans n'importe quelle vue</translation>
+        <source>Drag a plane&apos;s square to move it, and the ball at its arrow to tilt it, in any view</source>
+        <translation>Glisser le carré d&apos;un plan pour le déplacer et la boule de sa flèche pour l&apos;incliner, dans n&apos;importe quelle vue</translation>
     </message>
     <message>
         <source>Where the plane lies along its arrow</source>
@@ -3943,8 +4247,8 @@ Cosinus de l'angle avec la plus proche des six</translation>
         <translation>Face à la caméra C1</translation>
     </message>
     <message>
-        <source>3-D pictures show only the inside of a box along the volume's axes</source>
-        <translation>Les images 3D ne montrent que l'intérieur d'une boîte selon les axes du volume</translation>
+        <source>3-D pictures show only the inside of a box along the volume&apos;s axes</source>
+        <translation>Les images 3D ne montrent que l&apos;intérieur d&apos;une boîte selon les axes du volume</translation>
     </message>
     <message>
         <source>As the transfer function</source>
@@ -3996,7 +4300,7 @@ Cosinus de l'angle avec la plus proche des six</translation>
     </message>
     <message>
         <source>Structures that are never clipped: %1</source>
-        <translation>Structures jamais découpées : %1</translation>
+        <translation>Structures jamais découpées&#xa0;: %1</translation>
     </message>
     <message>
         <source>Clip planes</source>
@@ -4007,7 +4311,7 @@ Cosinus de l'angle avec la plus proche des six</translation>
     <name>fenestra::viewer::ContextLayerPanel</name>
     <message>
         <source>Context edges: %1</source>
-        <translation>Arêtes du contexte : %1</translation>
+        <translation>Arêtes du contexte&#xa0;: %1</translation>
     </message>
 </context>
 <context>
@@ -4025,20 +4329,20 @@ Cosinus de l'angle avec la plus proche des six</translation>
         <translation>Apparence</translation>
     </message>
     <message>
-        <source>Smooth edges, by several rays a pixel, are the adaptive cutaway's alone</source>
-        <translation>Les bords lisses, par plusieurs rayons par pixel, sont réservés à l'écorché adaptatif</translation>
+        <source>Smooth edges, by several rays a pixel, are the adaptive cutaway&apos;s alone</source>
+        <translation>Les bords lisses, par plusieurs rayons par pixel, sont réservés à l&apos;écorché adaptatif</translation>
     </message>
     <message>
         <source>This method has no width: it cuts nothing away</source>
-        <translation>Cette méthode n'a pas de largeur : elle n'enlève rien</translation>
+        <translation>Cette méthode n&apos;a pas de largeur&#xa0;: elle n&apos;enlève rien</translation>
     </message>
     <message>
         <source>This method has no width of its own: the focus and the lens decide on it</source>
-        <translation>Cette méthode n'a pas de largeur propre : la cible et la lentille en décident</translation>
+        <translation>Cette méthode n&apos;a pas de largeur propre&#xa0;: la cible et la lentille en décident</translation>
     </message>
     <message>
         <source>This method has no width of its own: the focus and the angle decide on it</source>
-        <translation>Cette méthode n'a pas de largeur propre : la cible et l'angle en décident</translation>
+        <translation>Cette méthode n&apos;a pas de largeur propre&#xa0;: la cible et l&apos;angle en décident</translation>
     </message>
     <message>
         <source>The line of this method is the rim of its lens</source>
@@ -4046,7 +4350,18 @@ Cosinus de l'angle avec la plus proche des six</translation>
     </message>
     <message>
         <source>This method has no line: it cuts nothing away</source>
-        <translation>Cette méthode n'a pas de ligne : elle n'enlève rien</translation>
+        <translation>Cette méthode n&apos;a pas de ligne&#xa0;: elle n&apos;enlève rien</translation>
+    </message>
+</context>
+<context>
+    <name>fenestra::viewer::DockFolding</name>
+    <message>
+        <source>Fold %1</source>
+        <translation>Replier %1</translation>
+    </message>
+    <message>
+        <source>Folds this panel to its title, so that those above have more room</source>
+        <translation>Replie ce panneau sur son titre, pour laisser plus de place à ceux du dessus</translation>
     </message>
 </context>
 <context>
@@ -4109,15 +4424,15 @@ Cosinus de l'angle avec la plus proche des six</translation>
     </message>
     <message>
         <source>The focus before still shows, until you open to the region</source>
-        <translation>La cible précédente reste affichée jusqu'à l'ouverture vers la région</translation>
+        <translation>La cible précédente reste affichée jusqu&apos;à l&apos;ouverture vers la région</translation>
     </message>
     <message>
         <source>Growing the region; the focus before still shows</source>
-        <translation>La région croît ; la cible précédente reste affichée</translation>
+        <translation>La région croît&#xa0;; la cible précédente reste affichée</translation>
     </message>
     <message>
         <source>Growing the region; this is a first part</source>
-        <translation>La région croît ; en voici une première partie</translation>
+        <translation>La région croît&#xa0;; en voici une première partie</translation>
     </message>
 </context>
 <context>
@@ -4175,7 +4490,7 @@ Cosinus de l'angle avec la plus proche des six</translation>
     <name>fenestra::viewer::FocusPanel</name>
     <message>
         <source>No labels. Click a structure in a picture, open a label map (Ctrl+L), or choose a range of values below.</source>
-        <translation>Aucune étiquette. Cliquez une structure dans une image, ouvrez une carte d'étiquettes (Ctrl+L) ou choisissez une plage de valeurs ci-dessous.</translation>
+        <translation>Aucune étiquette. Cliquez une structure dans une image, ouvrez une carte d&apos;étiquettes (Ctrl+L) ou choisissez une plage de valeurs ci-dessous.</translation>
     </message>
     <message>
         <source>Focus on values</source>
@@ -4203,7 +4518,7 @@ Cosinus de l'angle avec la plus proche des six</translation>
     </message>
     <message>
         <source>The left button paints the region in focus in all views; with Shift it erases</source>
-        <translation>Le bouton gauche peint la région ciblée dans toutes les vues ; avec Maj il efface</translation>
+        <translation>Le bouton gauche peint la région ciblée dans toutes les vues&#xa0;; avec Maj il efface</translation>
     </message>
     <message>
         <source>Radius</source>
@@ -4215,7 +4530,7 @@ Cosinus de l'angle avec la plus proche des six</translation>
     </message>
     <message>
         <source>Nothing open</source>
-        <translation>Rien d'ouvert</translation>
+        <translation>Rien d&apos;ouvert</translation>
     </message>
 </context>
 <context>
@@ -4226,7 +4541,7 @@ Cosinus de l'angle avec la plus proche des six</translation>
     </message>
     <message>
         <source>User guide of Fenestra</source>
-        <translation>Guide de l'utilisateur de Fenestra</translation>
+        <translation>Guide de l&apos;utilisateur de Fenestra</translation>
     </message>
     <message>
         <source>Back</source>
@@ -4266,14 +4581,14 @@ Cosinus de l'angle avec la plus proche des six</translation>
     </message>
     <message>
         <source>Return goes to the next place (Ctrl+F)</source>
-        <translation>Entrée va à l'endroit suivant (Ctrl+F)</translation>
+        <translation>Entrée va à l&apos;endroit suivant (Ctrl+F)</translation>
     </message>
 </context>
 <context>
     <name>fenestra::viewer::ImportanceList</name>
     <message>
         <source>What hides a label of a higher level is opened for it; what has the same level or a higher one never is. All else has level 0.</source>
-        <translation>Ce qui cache une étiquette de niveau supérieur s'ouvre pour elle ; ce qui a le même niveau ou un niveau supérieur, jamais. Tout le reste est de niveau 0.</translation>
+        <translation>Ce qui cache une étiquette de niveau supérieur s&apos;ouvre pour elle&#xa0;; ce qui a le même niveau ou un niveau supérieur, jamais. Tout le reste est de niveau 0.</translation>
     </message>
     <message>
         <source>Another label…</source>
@@ -4281,11 +4596,137 @@ Cosinus de l'angle avec la plus proche des six</translation>
     </message>
     <message>
         <source>Gives a label that is not in focus a level of importance</source>
-        <translation>Donne un niveau d'importance à une étiquette hors de la cible</translation>
+        <translation>Donne un niveau d&apos;importance à une étiquette hors de la cible</translation>
     </message>
     <message>
         <source>Level of importance</source>
-        <translation>Niveau d'importance</translation>
+        <translation>Niveau d&apos;importance</translation>
+    </message>
+</context>
+<context>
+    <name>fenestra::viewer::KeyBindings</name>
+    <message>
+        <source>It is not JSON, from character %1 on: %2.</source>
+        <translation>Ce n&apos;est pas du JSON, à partir du caractère %1&#xa0;: %2.</translation>
+    </message>
+    <message>
+        <source>It does not hold Fenestra&apos;s keys: choose a file that Export in this dialog wrote.</source>
+        <translation>Il ne contient pas les touches de Fenestra&#xa0;: choisissez un fichier écrit par Exporter dans ce dialogue.</translation>
+    </message>
+    <message>
+        <source>It was written by a newer version of Fenestra.</source>
+        <translation>Il a été écrit par une version plus récente de Fenestra.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot;, of &quot;%2&quot;, is no key.</source>
+        <translation>«&#xa0;%1 », de «&#xa0;%2 », n&apos;est pas une touche.</translation>
+    </message>
+    <message>
+        <source>%1, of &quot;%2&quot;, is a key of the views.</source>
+        <translation>%1, de «&#xa0;%2 », est une touche des vues.</translation>
+    </message>
+    <message>
+        <source>%1 is the key of both &quot;%2&quot; and &quot;%3&quot;.</source>
+        <translation>%1 est la touche de «&#xa0;%2&#xa0;» et de «&#xa0;%3 ».</translation>
+    </message>
+</context>
+<context>
+    <name>fenestra::viewer::KeysDialog</name>
+    <message>
+        <source>Change keys</source>
+        <translation>Changer les touches</translation>
+    </message>
+    <message>
+        <source>Show entries with these words or keys</source>
+        <translation>Afficher les entrées avec ces mots ou touches</translation>
+    </message>
+    <message>
+        <source>Menu</source>
+        <translation>Menu</translation>
+    </message>
+    <message>
+        <source>Entry</source>
+        <translation>Entrée</translation>
+    </message>
+    <message>
+        <source>Keys</source>
+        <translation>Touches</translation>
+    </message>
+    <message>
+        <source>&amp;Take it</source>
+        <translation>&amp;La prendre</translation>
+    </message>
+    <message>
+        <source>Gives the key to this entry, and the other one loses it</source>
+        <translation>Donne la touche à cette entrée, et l&apos;autre la perd</translation>
+    </message>
+    <message>
+        <source>&amp;No key</source>
+        <translation>&amp;Aucune touche</translation>
+    </message>
+    <message>
+        <source>As it &amp;was</source>
+        <translation>&amp;Comme avant</translation>
+    </message>
+    <message>
+        <source>The key that the entry comes with</source>
+        <translation>La touche d&apos;origine de l&apos;entrée</translation>
+    </message>
+    <message>
+        <source>&amp;Key</source>
+        <translation>&amp;Touche</translation>
+    </message>
+    <message>
+        <source>&amp;All as they were</source>
+        <translation>T&amp;outes comme avant</translation>
+    </message>
+    <message>
+        <source>&amp;Export…</source>
+        <translation>&amp;Exporter…</translation>
+    </message>
+    <message>
+        <source>&amp;Import…</source>
+        <translation>&amp;Importer…</translation>
+    </message>
+    <message>
+        <source>Click into the box and press the key. Changed keys are bold.</source>
+        <translation>Cliquez dans la case et appuyez sur la touche. Les touches changées sont en gras.</translation>
+    </message>
+    <message>
+        <source>%1 is a key of the views: no entry can have it.</source>
+        <translation>%1 est une touche des vues&#xa0;: aucune entrée ne peut l&apos;avoir.</translation>
+    </message>
+    <message>
+        <source>%1 is the key of %2 → %3. Take it?</source>
+        <translation>%1 est la touche de %2 → %3. La prendre&#xa0;?</translation>
+    </message>
+    <message>
+        <source>Export keys</source>
+        <translation>Exporter les touches</translation>
+    </message>
+    <message>
+        <source>Written to %1.</source>
+        <translation>Écrit dans %1.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be written: %2. Choose another folder.</source>
+        <translation>%1 ne peut pas être écrit&#xa0;: %2. Choisissez un autre dossier.</translation>
+    </message>
+    <message>
+        <source>Import keys</source>
+        <translation>Importer les touches</translation>
+    </message>
+    <message>
+        <source>Keys (*.json);;All files (*)</source>
+        <translation>Touches (*.json);;Tous les fichiers (*)</translation>
+    </message>
+    <message>
+        <source>%1 cannot be read: %2.</source>
+        <translation>%1 ne peut pas être lu&#xa0;: %2.</translation>
+    </message>
+    <message>
+        <source>Taken over from %1.</source>
+        <translation>Repris de %1.</translation>
     </message>
 </context>
 <context>
@@ -4296,7 +4737,7 @@ Cosinus de l'angle avec la plus proche des six</translation>
     </message>
     <message>
         <source>Add what lies within this distance; other labels keep their voxels</source>
-        <translation>Ajoute ce qui est à cette distance ; les autres étiquettes gardent leurs voxels</translation>
+        <translation>Ajoute ce qui est à cette distance&#xa0;; les autres étiquettes gardent leurs voxels</translation>
     </message>
     <message>
         <source>Shrink</source>
@@ -4304,7 +4745,7 @@ Cosinus de l'angle avec la plus proche des six</translation>
     </message>
     <message>
         <source>Remove what lies within this distance of the outside</source>
-        <translation>Enlève ce qui est à cette distance de l'extérieur</translation>
+        <translation>Enlève ce qui est à cette distance de l&apos;extérieur</translation>
     </message>
     <message>
         <source>Remove islands</source>
@@ -4320,18 +4761,18 @@ Cosinus de l'angle avec la plus proche des six</translation>
     </message>
     <message>
         <source>Add what the label encloses</source>
-        <translation>Ajoute ce que l'étiquette enferme</translation>
+        <translation>Ajoute ce que l&apos;étiquette enferme</translation>
     </message>
 </context>
 <context>
     <name>fenestra::viewer::LabelEditor</name>
     <message>
         <source>Grow label</source>
-        <translation>Dilater l'étiquette</translation>
+        <translation>Dilater l&apos;étiquette</translation>
     </message>
     <message>
         <source>Shrink label</source>
-        <translation>Éroder l'étiquette</translation>
+        <translation>Éroder l&apos;étiquette</translation>
     </message>
     <message>
         <source>Fill holes</source>
@@ -4347,30 +4788,30 @@ Cosinus de l'angle avec la plus proche des six</translation>
     </message>
     <message>
         <source>All 65535 values that a label may have are in use</source>
-        <translation>Les 65535 valeurs possibles d'une étiquette sont utilisées</translation>
+        <translation>Les 65535 valeurs possibles d&apos;une étiquette sont utilisées</translation>
     </message>
     <message>
         <source>Nothing would be left of the label</source>
-        <translation>Il ne resterait rien de l'étiquette</translation>
+        <translation>Il ne resterait rien de l&apos;étiquette</translation>
     </message>
 </context>
 <context>
     <name>fenestra::viewer::LabelList</name>
     <message>
-        <source>No structure's name has these words.</source>
+        <source>No structure&apos;s name has these words.</source>
         <translation>Aucune structure ne porte ces mots.</translation>
     </message>
     <message>
         <source>Show the label</source>
-        <translation>Afficher l'étiquette</translation>
+        <translation>Afficher l&apos;étiquette</translation>
     </message>
     <message>
         <source>Do not show the label</source>
-        <translation>Ne pas afficher l'étiquette</translation>
+        <translation>Ne pas afficher l&apos;étiquette</translation>
     </message>
     <message>
         <source>Colour of the label</source>
-        <translation>Couleur de l'étiquette</translation>
+        <translation>Couleur de l&apos;étiquette</translation>
     </message>
     <message>
         <source>Focus</source>
@@ -4378,7 +4819,7 @@ Cosinus de l'angle avec la plus proche des six</translation>
     </message>
     <message>
         <source>What the view opens to</source>
-        <translation>Ce vers quoi la vue s'ouvre</translation>
+        <translation>Ce vers quoi la vue s&apos;ouvre</translation>
     </message>
     <message>
         <source>Never clipped</source>
@@ -4397,8 +4838,8 @@ Cosinus de l'angle avec la plus proche des six</translation>
         <translation>Couleur…</translation>
     </message>
     <message>
-        <source>The label map's own colour</source>
-        <translation>La couleur de la carte d'étiquettes</translation>
+        <source>The label map&apos;s own colour</source>
+        <translation>La couleur de la carte d&apos;étiquettes</translation>
     </message>
     <message>
         <source>Colour</source>
@@ -4417,7 +4858,7 @@ Cosinus de l'angle avec la plus proche des six</translation>
     </message>
     <message>
         <source>Label %1. Tick it to open the view to it; double-click to focus on it alone and go there; F2 renames it.</source>
-        <translation>Étiquette %1. La cocher ouvre la vue vers elle ; un double clic en fait la seule cible et y va ; F2 la renomme.</translation>
+        <translation>Étiquette %1. La cocher ouvre la vue vers elle&#xa0;; un double clic en fait la seule cible et y va&#xa0;; F2 la renomme.</translation>
     </message>
     <message>
         <source>Click to choose another colour</source>
@@ -4425,32 +4866,34 @@ Cosinus de l'angle avec la plus proche des six</translation>
     </message>
     <message>
         <source>Click to show it or not: slices tint what is visible, and 3-D pictures draw it while it is in focus or protected</source>
-        <translation>Cliquer pour l'afficher ou non : les coupes teintent ce qui est visible, et les images 3D la dessinent si elle est ciblée ou protégée</translation>
+        <translation>Cliquer pour l&apos;afficher ou non&#xa0;: les coupes teintent ce qui est visible, et les images 3D la dessinent si elle est ciblée ou protégée</translation>
     </message>
     <message>
         <source>%1: %2</source>
-        <translation>%1 : %2</translation>
+        <translation>%1&#xa0;: %2</translation>
     </message>
     <message>
         <source>Focus: what the view opens to</source>
-        <translation>Cible : ce vers quoi la vue s'ouvre</translation>
+        <translation>Cible&#xa0;: ce vers quoi la vue s&apos;ouvre</translation>
     </message>
     <message>
         <source>Opacity of its surface, however thick it is, and of its tint on slices; click to change it. At 0 % it is left out of the 3-D pictures.</source>
-        <translation>Opacité de sa surface, quelle que soit son épaisseur, et de sa teinte sur les coupes ; cliquer pour la changer. À 0 %, elle est absente des images 3D.</translation>
+        <translation>Opacité de sa surface, quelle que soit son épaisseur, et de sa teinte sur les coupes&#xa0;; cliquer pour la changer. À 0 %, elle est absente des images 3D.</translation>
     </message>
     <message>
         <source>C1 sees %1 of its surface, C2 %2, both together %3: measured where cameras are tried, nearest to these</source>
-        <translation>C1 voit %1 de sa surface, C2 %2, les deux ensemble %3 : mesuré aux caméras essayées les plus proches</translation>
+        <translation>C1 voit %1 de sa surface, C2 %2, les deux ensemble %3&#xa0;: mesuré aux caméras essayées les plus proches</translation>
     </message>
     <message>
         <source>Share of its surface that C1 and C2 see; measured for labels in focus when cameras are placed</source>
-        <translation>Part de sa surface que voient C1 et C2 ; mesurée pour les étiquettes ciblées au placement des caméras</translation>
+        <translation>Part de sa surface que voient C1 et C2&#xa0;; mesurée pour les étiquettes ciblées au placement des caméras</translation>
     </message>
     <message numerus="yes">
         <source>%n label(s) without voxels</source>
         <translation>
-            <numerusform>%n étiquette sans voxels</numerusform><numerusform>%n étiquettes sans voxels</numerusform></translation>
+            <numerusform>%n étiquette sans voxels</numerusform>
+            <numerusform>%n étiquettes sans voxels</numerusform>
+        </translation>
     </message>
     <message>
         <source>Structure</source>
@@ -4484,11 +4927,11 @@ Cosinus de l'angle avec la plus proche des six</translation>
     </message>
     <message>
         <source>Editing the label</source>
-        <translation>Modification de l'étiquette</translation>
+        <translation>Modification de l&apos;étiquette</translation>
     </message>
     <message>
         <source>Verifying the picture</source>
-        <translation>Vérification de l'image</translation>
+        <translation>Vérification de l&apos;image</translation>
     </message>
     <message>
         <source>Opening…</source>
@@ -4500,7 +4943,7 @@ Cosinus de l'angle avec la plus proche des six</translation>
     </message>
     <message>
         <source>%1 was named at the start and is not open.</source>
-        <translation>%1 a été indiqué au démarrage et n'est pas ouvert.</translation>
+        <translation>%1 a été indiqué au démarrage et n&apos;est pas ouvert.</translation>
     </message>
     <message>
         <source>Open</source>
@@ -4508,7 +4951,7 @@ Cosinus de l'angle avec la plus proche des six</translation>
     </message>
     <message>
         <source>Other data</source>
-        <translation>D'autres données</translation>
+        <translation>D&apos;autres données</translation>
     </message>
     <message>
         <source>Place cameras</source>
@@ -4516,7 +4959,7 @@ Cosinus de l'angle avec la plus proche des six</translation>
     </message>
     <message>
         <source>The region is %1, which is %2 % of the body. The slices show its outline; open the 3-D views to it?</source>
-        <translation>La région fait %1, soit %2 % du corps. Les coupes montrent son contour ; ouvrir les vues 3D vers elle ?</translation>
+        <translation>La région fait %1, soit %2 % du corps. Les coupes montrent son contour&#xa0;; ouvrir les vues 3D vers elle&#xa0;?</translation>
     </message>
     <message>
         <source>Open to it</source>
@@ -4524,11 +4967,11 @@ Cosinus de l'angle avec la plus proche des six</translation>
     </message>
     <message>
         <source>Take it back</source>
-        <translation>L'annuler</translation>
+        <translation>L&apos;annuler</translation>
     </message>
     <message>
         <source>%1 lies over other labels and took %2 from them; undo brings them back.</source>
-        <translation>%1 recouvre d'autres étiquettes et leur a pris %2 ; Annuler les ramène.</translation>
+        <translation>%1 recouvre d&apos;autres étiquettes et leur a pris %2&#xa0;; Annuler les ramène.</translation>
     </message>
 </context>
 <context>
@@ -4551,7 +4994,9 @@ Cosinus de l'angle avec la plus proche des six</translation>
     <message numerus="yes">
         <source>%n more</source>
         <translation>
-            <numerusform>%n autre</numerusform><numerusform>%n autres</numerusform></translation>
+            <numerusform>%n autre</numerusform>
+            <numerusform>%n autres</numerusform>
+        </translation>
     </message>
     <message>
         <source>Dismiss</source>
@@ -4571,11 +5016,11 @@ Planes shown: %3, %4 mm apart
 Farthest from its place as shown: %5 mm; with the slices spread evenly: %6 mm
 Planes in wide gaps: %7
 Voxels outside of what was scanned: %8</source>
-        <translation>Coupes acquises : %1, espacées le plus souvent de %L2 mm
-Plans affichés : %3, espacés de %L4 mm
-Plus grand écart à la place réelle, tel qu'affiché : %L5 mm ; coupes réparties régulièrement : %L6 mm
-Plans dans de larges vides : %7
-Voxels hors de ce qui a été acquis : %8</translation>
+        <translation>Coupes acquises&#xa0;: %1, espacées le plus souvent de %L2 mm
+Plans affichés&#xa0;: %3, espacés de %L4 mm
+Plus grand écart à la place réelle, tel qu&apos;affiché&#xa0;: %L5 mm&#xa0;; coupes réparties régulièrement&#xa0;: %L6 mm
+Plans dans de larges vides&#xa0;: %7
+Voxels hors de ce qui a été acquis&#xa0;: %8</translation>
     </message>
     <message>
         <source>Report…</source>
@@ -4657,7 +5102,7 @@ Voxels hors de ce qui a été acquis : %8</translation>
     </message>
     <message>
         <source>No 3-D view is on screen that could turn.</source>
-        <translation>Aucune vue 3D à l'écran ne peut tourner.</translation>
+        <translation>Aucune vue 3D à l&apos;écran ne peut tourner.</translation>
     </message>
     <message>
         <source>PNG, one for each picture</source>
@@ -4677,7 +5122,7 @@ Voxels hors de ce qui a été acquis : %8</translation>
     </message>
     <message>
         <source>%1 exists already: choose another name, or delete the pictures of an earlier turntable.</source>
-        <translation>%1 existe déjà : choisissez un autre nom, ou supprimez les images d'une rotation antérieure.</translation>
+        <translation>%1 existe déjà&#xa0;: choisissez un autre nom, ou supprimez les images d&apos;une rotation antérieure.</translation>
     </message>
     <message>
         <source>Cancel</source>
@@ -4693,15 +5138,15 @@ Voxels hors de ce qui a été acquis : %8</translation>
     </message>
     <message>
         <source>ffmpeg cannot be started; save PNGs instead.</source>
-        <translation>ffmpeg ne peut pas être lancé ; enregistrez plutôt des PNG.</translation>
+        <translation>ffmpeg ne peut pas être lancé&#xa0;; enregistrez plutôt des PNG.</translation>
     </message>
     <message>
         <source>ffmpeg could not write %1: %2</source>
-        <translation>ffmpeg n'a pas pu écrire %1 : %2</translation>
+        <translation>ffmpeg n&apos;a pas pu écrire %1&#xa0;: %2</translation>
     </message>
     <message>
         <source>%1 cannot be written: %2</source>
-        <translation>%1 ne peut pas être écrit : %2</translation>
+        <translation>%1 ne peut pas être écrit&#xa0;: %2</translation>
     </message>
 </context>
 <context>
@@ -4719,18 +5164,18 @@ Voxels hors de ce qui a été acquis : %8</translation>
     <name>fenestra::viewer::PlacementController</name>
     <message>
         <source>The focus cannot be measured: %1</source>
-        <translation>La cible ne peut pas être mesurée : %1</translation>
+        <translation>La cible ne peut pas être mesurée&#xa0;: %1</translation>
     </message>
     <message>
         <source>No view of that point: %1</source>
-        <translation>Pas de vue de ce point : %1</translation>
+        <translation>Pas de vue de ce point&#xa0;: %1</translation>
     </message>
 </context>
 <context>
     <name>fenestra::viewer::PlacementForm</name>
     <message>
         <source>Place the cameras when a focus is chosen</source>
-        <translation>Placer les caméras au choix d'une cible</translation>
+        <translation>Placer les caméras au choix d&apos;une cible</translation>
     </message>
     <message>
         <source>Second view follows the first</source>
@@ -4753,8 +5198,8 @@ Voxels hors de ce qui a été acquis : %8</translation>
 The focus: its best view and one that complements it.
 A point clicked on a slice: a click there turns both views to the structure at that point, which needs no label (LiveSync, Kohlmann et al. 2007)</source>
         <translation>Ce que regardent les caméras.
-La cible : sa meilleure vue et une qui la complète.
-Un point cliqué sur une coupe : un clic tourne les deux vues vers la structure à ce point, qui n'a pas besoin d'étiquette (LiveSync, Kohlmann et al. 2007)</translation>
+La cible&#xa0;: sa meilleure vue et une qui la complète.
+Un point cliqué sur une coupe&#xa0;: un clic tourne les deux vues vers la structure à ce point, qui n&apos;a pas besoin d&apos;étiquette (LiveSync, Kohlmann et al. 2007)</translation>
     </message>
     <message>
         <source> mm</source>
@@ -4762,12 +5207,14 @@ Un point cliqué sur une coupe : un clic tourne les deux vues vers la structure
     </message>
     <message>
         <source>How far from the point its structure counts</source>
-        <translation>Jusqu'à quelle distance du point sa structure compte</translation>
+        <translation>Jusqu&apos;à quelle distance du point sa structure compte</translation>
     </message>
     <message numerus="yes">
         <source>%n views</source>
         <translation>
-            <numerusform>%n vue</numerusform><numerusform>%n vues</numerusform></translation>
+            <numerusform>%n vue</numerusform>
+            <numerusform>%n vues</numerusform>
+        </translation>
     </message>
     <message>
         <source>Finer near the best</source>
@@ -4787,9 +5234,9 @@ Un point cliqué sur une coupe : un clic tourne les deux vues vers la structure
     </message>
     <message>
         <source>Where the second view may be, always 60° to 120° from the first.
-To its right: the half sphere c2·a ≥ 0 around the first view's right axis a. All around: the band |c1·c2| ≤ sin δ</source>
+To its right: the half sphere c2·a ≥ 0 around the first view&apos;s right axis a. All around: the band |c1·c2| ≤ sin δ</source>
         <translation>Où la seconde vue peut être, toujours à 60°–120° de la première.
-À sa droite : la demi-sphère c2·a ≥ 0 autour de l'axe droit a de la première vue. Tout autour : la bande |c1·c2| ≤ sin δ</translation>
+À sa droite&#xa0;: la demi-sphère c2·a ≥ 0 autour de l&apos;axe droit a de la première vue. Tout autour&#xa0;: la bande |c1·c2| ≤ sin δ</translation>
     </message>
     <message>
         <source>°</source>
@@ -4797,17 +5244,17 @@ To its right: the half sphere c2·a ≥ 0 around the first view's right axis a. 
     </message>
     <message>
         <source>δ: how far the second view may leave the right angle to the first</source>
-        <translation>δ : de combien la seconde vue peut s'écarter de l'angle droit avec la première</translation>
+        <translation>δ&#xa0;: de combien la seconde vue peut s&apos;écarter de l&apos;angle droit avec la première</translation>
     </message>
     <message>
-        <source>Choose the two views that together see most of the focus's surface.
+        <source>Choose the two views that together see most of the focus&apos;s surface.
 Off: first the best view, then the best one beside it</source>
         <translation>Choisit les deux vues qui voient ensemble le plus de la surface de la cible.
-Sinon : d'abord la meilleure vue, puis la meilleure à côté</translation>
+Sinon&#xa0;: d&apos;abord la meilleure vue, puis la meilleure à côté</translation>
     </message>
     <message>
         <source>What two views are chosen by: w · share of the surface seen + (1 − w) · mean quality of the views</source>
-        <translation>Critère du choix de deux vues : w · part de surface vue + (1 − w) · qualité moyenne des vues</translation>
+        <translation>Critère du choix de deux vues&#xa0;: w · part de surface vue + (1 − w) · qualité moyenne des vues</translation>
     </message>
     <message>
         <source>When the first view is turned, the second goes to the best view beside it</source>
@@ -4865,12 +5312,12 @@ Sinon : d'abord la meilleure vue, puis la meilleure à côté</translation>
         <translation>Exporter le préréglage</translation>
     </message>
     <message>
-        <source>There is a preset "%1". Replace it?</source>
-        <translation>Il y a un préréglage « %1 ». Le remplacer ?</translation>
+        <source>There is a preset &quot;%1&quot;. Replace it?</source>
+        <translation>Il y a un préréglage «&#xa0;%1 ». Le remplacer&#xa0;?</translation>
     </message>
     <message>
-        <source>Delete the preset "%1"?</source>
-        <translation>Supprimer le préréglage « %1 » ?</translation>
+        <source>Delete the preset &quot;%1&quot;?</source>
+        <translation>Supprimer le préréglage «&#xa0;%1&#xa0;»&#xa0;?</translation>
     </message>
     <message>
         <source>Open a transfer function</source>
@@ -4886,7 +5333,7 @@ Sinon : d'abord la meilleure vue, puis la meilleure à côté</translation>
     </message>
     <message>
         <source>Transfer functions, and your own presets of the whole look</source>
-        <translation>Fonctions de transfert, et vos préréglages de toute l'apparence</translation>
+        <translation>Fonctions de transfert, et vos préréglages de toute l&apos;apparence</translation>
     </message>
     <message>
         <source>Keep, import, export, rename and delete presets</source>
@@ -4894,7 +5341,7 @@ Sinon : d'abord la meilleure vue, puis la meilleure à côté</translation>
     </message>
     <message>
         <source>From a file…</source>
-        <translation>D'un fichier…</translation>
+        <translation>D&apos;un fichier…</translation>
     </message>
     <message>
         <source>Preset</source>
@@ -4929,19 +5376,19 @@ Sinon : d'abord la meilleure vue, puis la meilleure à côté</translation>
     <name>fenestra::viewer::RegionGrower</name>
     <message>
         <source>No region grows from there; click elsewhere.</source>
-        <translation>Aucune région ne croît de là ; cliquez ailleurs.</translation>
+        <translation>Aucune région ne croît de là&#xa0;; cliquez ailleurs.</translation>
     </message>
     <message>
         <source>Nothing would be left of the region; it stays as it was.</source>
-        <translation>Il ne resterait rien de la région ; elle reste comme elle était.</translation>
+        <translation>Il ne resterait rien de la région&#xa0;; elle reste comme elle était.</translation>
     </message>
     <message>
         <source>That is air, which fills more than half of the volume; click a structure.</source>
-        <translation>C'est de l'air, qui remplit plus de la moitié du volume ; cliquez une structure.</translation>
+        <translation>C&apos;est de l&apos;air, qui remplit plus de la moitié du volume&#xa0;; cliquez une structure.</translation>
     </message>
     <message>
         <source>No border holds the region there: it would fill more than half of the volume. Drag a ball around the structure (Shift+drag), or click elsewhere.</source>
-        <translation>Aucune limite n'y retient la région : elle remplirait plus de la moitié du volume. Tracez une boule autour de la structure (Maj+glisser), ou cliquez ailleurs.</translation>
+        <translation>Aucune limite n&apos;y retient la région&#xa0;: elle remplirait plus de la moitié du volume. Tracez une boule autour de la structure (Maj+glisser), ou cliquez ailleurs.</translation>
     </message>
 </context>
 <context>
@@ -4952,7 +5399,7 @@ Sinon : d'abord la meilleure vue, puis la meilleure à côté</translation>
     </message>
     <message>
         <source>Colour of the label</source>
-        <translation>Couleur de l'étiquette</translation>
+        <translation>Couleur de l&apos;étiquette</translation>
     </message>
     <message>
         <source>Keep</source>
@@ -4960,15 +5407,15 @@ Sinon : d'abord la meilleure vue, puis la meilleure à côté</translation>
     </message>
     <message>
         <source>Shift+click adds to the region, Ctrl+click takes away. Shift+drag draws a ball around a structure, which its region does not leave.</source>
-        <translation>Maj+clic ajoute à la région, Ctrl+clic en retire. Maj+glisser trace une boule autour d'une structure, que sa région ne quitte pas.</translation>
+        <translation>Maj+clic ajoute à la région, Ctrl+clic en retire. Maj+glisser trace une boule autour d&apos;une structure, que sa région ne quitte pas.</translation>
     </message>
     <message>
         <source>How far values may lie from those at the click (Alt+wheel over a picture, keys , and .)</source>
-        <translation>De combien les valeurs peuvent s'écarter de celles du clic (Alt+molette sur une image, touches , et .)</translation>
+        <translation>De combien les valeurs peuvent s&apos;écarter de celles du clic (Alt+molette sur une image, touches , et .)</translation>
     </message>
     <message>
         <source>Tolerance: how far values may lie below those at the click</source>
-        <translation>Tolérance : de combien les valeurs peuvent être sous celles du clic</translation>
+        <translation>Tolérance&#xa0;: de combien les valeurs peuvent être sous celles du clic</translation>
     </message>
     <message>
         <source>Auto</source>
@@ -4976,7 +5423,7 @@ Sinon : d'abord la meilleure vue, puis la meilleure à côté</translation>
     </message>
     <message>
         <source>The tolerance is chosen from the plateaus</source>
-        <translation>La tolérance est choisie d'après les plateaux</translation>
+        <translation>La tolérance est choisie d&apos;après les plateaux</translation>
     </message>
     <message>
         <source> mm</source>
@@ -5000,7 +5447,7 @@ Sinon : d'abord la meilleure vue, puis la meilleure à côté</translation>
     </message>
     <message>
         <source>Name of a label</source>
-        <translation>Nom d'une étiquette</translation>
+        <translation>Nom d&apos;une étiquette</translation>
     </message>
     <message>
         <source>Keep the region as a label of this study</source>
@@ -5008,90 +5455,484 @@ Sinon : d'abord la meilleure vue, puis la meilleure à côté</translation>
     </message>
     <message>
         <source>Region: growing…</source>
-        <translation>Région : en croissance…</translation>
+        <translation>Région&#xa0;: en croissance…</translation>
     </message>
     <message>
         <source>That is %1 % of the body: the 3-D views do not open to it by themselves.</source>
-        <translation>C'est %1 % du corps : les vues 3D ne s'ouvrent pas d'elles-mêmes vers elle.</translation>
+        <translation>C&apos;est %1 % du corps&#xa0;: les vues 3D ne s&apos;ouvrent pas d&apos;elles-mêmes vers elle.</translation>
     </message>
     <message>
         <source>Region: %1</source>
-        <translation>Région : %1</translation>
+        <translation>Région&#xa0;: %1</translation>
     </message>
     <message>
         <source>Region: %1 so far…</source>
-        <translation>Région : %1 jusqu'ici…</translation>
+        <translation>Région&#xa0;: %1 jusqu&apos;ici…</translation>
     </message>
 </context>
 <context>
-    <name>fenestra::viewer::SeriesChooser</name>
+    <name>fenestra::viewer::RetrievalRow</name>
     <message>
-        <source>%1 time point %2 of %3</source>
-        <translation>%1 instant %2 sur %3</translation>
+        <source>Pause</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1 mm</source>
-        <translation>%L1 mm</translation>
+        <source>Go on</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>every %1</source>
-        <translation>tous les %1</translation>
+        <source>Retry</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1, every %2</source>
-        <translation>%1, tous les %2</translation>
+        <source>Open</source>
+        <translation type="unfinished">Ouvrir</translation>
     </message>
     <message>
-        <source>Patient %1</source>
-        <translation>Patient %1</translation>
+        <source>Waits for others</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Picture</source>
-        <translation>Image</translation>
+        <source>Stops…</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Patient</source>
-        <translation>Patient</translation>
+        <source>Paused; what came is kept</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>No.</source>
-        <translation>N°</translation>
+        <source>Whole</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Type</source>
-        <translation>Type</translation>
+        <source>Cancels it, and takes it out of the list. What came stays in the cache</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Retrieval %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>fenestra::viewer::Retrievals</name>
+    <message>
+        <source>The server needs a login.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Its server is no longer in the list.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>fenestra::viewer::SearchForm</name>
+    <message>
+        <source>Search</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Asks the server for the studies that match. Empty fields match all (Return)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Saved searches</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Searches under a name. A patient&apos;s name, ID and accession number are not saved</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation type="unfinished">Nom</translation>
+    </message>
+    <message>
+        <source>ID</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Accession</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Date</source>
-        <translation>Date</translation>
+        <translation type="unfinished">Date</translation>
+    </message>
+    <message>
+        <source>Type</source>
+        <translation type="unfinished">Type</translation>
     </message>
     <message>
         <source>Description</source>
-        <translation>Description</translation>
+        <translation type="unfinished">Description</translation>
     </message>
     <message>
-        <source>Part</source>
-        <translation>Partie</translation>
+        <source>An asterisk stands for any text, a question mark for one character</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Thickness</source>
-        <translation>Épaisseur</translation>
+        <source>Family name, or &quot;Doe, Jane&quot;: all names that begin so. %1, as in *jane*</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Kernel</source>
-        <translation>Noyau</translation>
+        <source>The patient&apos;s ID as it is. %1, as in 47*</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Size</source>
-        <translation>Taille</translation>
+        <source>The accession number as it is. %1, as in A2024*</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Images</source>
-        <translation>Images</translation>
+        <source>All descriptions of studies that hold this text. %1, as in head*</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Choose a series</source>
-        <translation>Choisir une série</translation>
+        <source>The kind of images that the study holds</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Any</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>When the study was made</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Today</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Last 7 days</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Last 30 days</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Last 365 days</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>From … to</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>First day</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Last day</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation type="unfinished">Annuler</translation>
+    </message>
+    <message>
+        <source>Save this search…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save this search</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Its name (date, type and description are saved, nothing of a patient):</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Forget</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>fenestra::viewer::SendDialog</name>
+    <message>
+        <source>Nothing is open.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What is open is not DICOM, and archives keep nothing else.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Send to an archive</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Object</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Answer of the server</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Send</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The server that gets the objects</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The open series, images: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Its files as they are</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>All labels, as a DICOM segmentation</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>With their names and colours, for the patient and the series that are open</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The objects hold the patient&apos;s name and ID: an archive files them by these.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Server</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Image %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Labels</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>accepted</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>refused</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Accepted: %1 of %2.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>fenestra::viewer::SeriesPanel</name>
+    <message>
+        <source>Series</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Patient %1</source>
+        <translation type="unfinished">Patient %1</translation>
+    </message>
+    <message>
+        <source>Patient without a name</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>1 image</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n images</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1, open</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>fenestra::viewer::ServerDialog</name>
+    <message>
+        <source>Archive server</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>As you call it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>DICOM</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>DICOM over TLS</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>DICOMweb</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What the server speaks; its administrator knows</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation type="unfinished">Nom</translation>
+    </message>
+    <message>
+        <source>Speaks</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Its name or address in the network</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The port that it listens on</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Its AE title, at most 16 letters and digits</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Our AE title: its administrator enters it at the server</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>C-GET, over our connection</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>C-MOVE, the server connects to us</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How objects come. C-GET needs nothing more; with C-MOVE our address and port are entered at the server, and the port is open while objects come</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Address of this machine that the server sends to</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Port of this machine that the server sends to</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Host</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Port</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Its AE title</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Our AE title</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Retrieve by</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Our address</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Our port</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The address of DICOMweb&apos;s root. A login goes out over https alone</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>User and password</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Token</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The password or token is asked for when it is needed, and forgotten when the program ends</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Who you are to the server</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Address</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Login</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>User</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Certificates that may sign the server&apos;s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Certificates in PEM that may sign the server&apos;s, or its own</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Our certificate</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>In PEM, where the server asks for one</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The key of our certificate</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>In PEM, without a passphrase</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Trusted certificates</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Its key</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose the file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Certificates and keys (*.pem *.crt *.cer *.key);;All files (*)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Token for %1:</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Password of %1 for %2:</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -5106,18 +5947,18 @@ Sinon : d'abord la meilleure vue, puis la meilleure à côté</translation>
     </message>
     <message>
         <source>These changes since the last save would be lost. Save them?</source>
-        <translation>Ces modifications depuis le dernier enregistrement seraient perdues. Les enregistrer ?</translation>
+        <translation>Ces modifications depuis le dernier enregistrement seraient perdues. Les enregistrer&#xa0;?</translation>
     </message>
     <message>
         <source>Where is the data now?</source>
-        <translation>Où sont les données maintenant ?</translation>
+        <translation>Où sont les données maintenant&#xa0;?</translation>
     </message>
     <message>
-        <source>The session's label map is needed.</source>
-        <translation>La carte d'étiquettes de la session est nécessaire.</translation>
+        <source>The session&apos;s label map is needed.</source>
+        <translation>La carte d&apos;étiquettes de la session est nécessaire.</translation>
     </message>
     <message>
-        <source>The session's volume is needed.</source>
+        <source>The session&apos;s volume is needed.</source>
         <translation>Le volume de la session est nécessaire.</translation>
     </message>
     <message>
@@ -5133,20 +5974,20 @@ Sinon : d'abord la meilleure vue, puis la meilleure à côté</translation>
         <translation>Les données</translation>
     </message>
     <message>
-        <source>The data's folder</source>
+        <source>The data&apos;s folder</source>
         <translation>Le dossier des données</translation>
     </message>
     <message>
         <source>%1 %2. Say it here:</source>
-        <translation>%1 %2. Indiquez-la ici :</translation>
+        <translation>%1 %2. Indiquez-la ici&#xa0;:</translation>
     </message>
     <message>
         <source>Fenestra ended before the session was saved. A copy from %1 can be restored.</source>
-        <translation>Fenestra s'est arrêté avant l'enregistrement de la session. Une copie du %1 peut être restaurée.</translation>
+        <translation>Fenestra s&apos;est arrêté avant l&apos;enregistrement de la session. Une copie du %1 peut être restaurée.</translation>
     </message>
     <message>
         <source>Fenestra ended before the work on %1 was saved. A copy from %2 can be restored.</source>
-        <translation>Fenestra s'est arrêté avant l'enregistrement du travail sur %1. Une copie du %2 peut être restaurée.</translation>
+        <translation>Fenestra s&apos;est arrêté avant l&apos;enregistrement du travail sur %1. Une copie du %2 peut être restaurée.</translation>
     </message>
     <message>
         <source>Restore</source>
@@ -5163,7 +6004,9 @@ Sinon : d'abord la meilleure vue, puis la meilleure à côté</translation>
     <message numerus="yes">
         <source>%n more</source>
         <translation>
-            <numerusform>%n autre</numerusform><numerusform>%n autres</numerusform></translation>
+            <numerusform>%n autre</numerusform>
+            <numerusform>%n autres</numerusform>
+        </translation>
     </message>
     <message>
         <source>Save the session</source>
@@ -5175,7 +6018,7 @@ Sinon : d'abord la meilleure vue, puis la meilleure à côté</translation>
     </message>
     <message>
         <source>The labels that you kept are in no file yet, and reading the data again would drop them. Save the session first.</source>
-        <translation>Les étiquettes conservées ne sont encore dans aucun fichier, et relire les données les perdrait. Enregistrez d'abord la session.</translation>
+        <translation>Les étiquettes conservées ne sont encore dans aucun fichier, et relire les données les perdrait. Enregistrez d&apos;abord la session.</translation>
     </message>
     <message>
         <source>The restored work</source>
@@ -5256,11 +6099,11 @@ Sinon : d'abord la meilleure vue, puis la meilleure à côté</translation>
     </message>
     <message>
         <source>&amp;Across a row</source>
-        <translation>&amp;Le long d'une ligne</translation>
+        <translation>&amp;Le long d&apos;une ligne</translation>
     </message>
     <message>
         <source>&amp;Down a column</source>
-        <translation>Le long &amp;d'une colonne</translation>
+        <translation>Le long &amp;d&apos;une colonne</translation>
     </message>
     <message>
         <source>From &amp;slice to slice</source>
@@ -5279,22 +6122,22 @@ Sinon : d'abord la meilleure vue, puis la meilleure à côté</translation>
     <name>fenestra::viewer::SphereMap</name>
     <message>
         <source>How good each viewpoint is, from dark to bright; click to look from there</source>
-        <translation>Qualité de chaque point de vue, du sombre au clair ; cliquer pour regarder de là</translation>
+        <translation>Qualité de chaque point de vue, du sombre au clair&#xa0;; cliquer pour regarder de là</translation>
     </message>
 </context>
 <context>
     <name>fenestra::viewer::StatusBar</name>
     <message>
         <source>Software OpenGL: smaller pictures while moving</source>
-        <translation>OpenGL logiciel : images plus petites en mouvement</translation>
+        <translation>OpenGL logiciel&#xa0;: images plus petites en mouvement</translation>
     </message>
     <message>
         <source>No OpenGL: slices only</source>
-        <translation>Pas d'OpenGL : coupes seules</translation>
+        <translation>Pas d&apos;OpenGL&#xa0;: coupes seules</translation>
     </message>
     <message>
         <source>Time until the last picture was on screen, and its sampling</source>
-        <translation>Temps jusqu'à l'affichage de la dernière image, et son échantillonnage</translation>
+        <translation>Temps jusqu&apos;à l&apos;affichage de la dernière image, et son échantillonnage</translation>
     </message>
     <message>
         <source>Radiological convention</source>
@@ -5341,7 +6184,7 @@ Sinon : d'abord la meilleure vue, puis la meilleure à côté</translation>
     </message>
     <message>
         <source>Adds the strokes of a file</source>
-        <translation>Ajoute les traits d'un fichier</translation>
+        <translation>Ajoute les traits d&apos;un fichier</translation>
     </message>
     <message>
         <source>Clear strokes</source>
@@ -5384,7 +6227,7 @@ Sinon : d'abord la meilleure vue, puis la meilleure à côté</translation>
     </message>
     <message>
         <source>to the surface</source>
-        <translation>jusqu'à la surface</translation>
+        <translation>jusqu&apos;à la surface</translation>
     </message>
     <message>
         <source>%1 mm deep</source>
@@ -5412,12 +6255,16 @@ Sinon : d'abord la meilleure vue, puis la meilleure à côté</translation>
     <message numerus="yes">
         <source>There are %n time points here; this is number %1.</source>
         <translation>
-            <numerusform>Il y a %n instant ici ; voici le numéro %1.</numerusform><numerusform>Il y a %n instants ici ; voici le numéro %1.</numerusform></translation>
+            <numerusform>Il y a %n instant ici&#xa0;; voici le numéro %1.</numerusform>
+            <numerusform>Il y a %n instants ici&#xa0;; voici le numéro %1.</numerusform>
+        </translation>
     </message>
     <message numerus="yes">
         <source>There are %n series here; open is %1.</source>
         <translation>
-            <numerusform>Il y a %n série ici ; %1 est ouverte.</numerusform><numerusform>Il y a %n séries ici ; %1 est ouverte.</numerusform></translation>
+            <numerusform>Il y a %n série ici&#xa0;; %1 est ouverte.</numerusform>
+            <numerusform>Il y a %n séries ici&#xa0;; %1 est ouverte.</numerusform>
+        </translation>
     </message>
     <message>
         <source>Choose…</source>
@@ -5425,7 +6272,7 @@ Sinon : d'abord la meilleure vue, puis la meilleure à côté</translation>
     </message>
     <message>
         <source>A segmentation of this series lies beside it: %1.</source>
-        <translation>Une segmentation de cette série se trouve à côté : %1.</translation>
+        <translation>Une segmentation de cette série se trouve à côté&#xa0;: %1.</translation>
     </message>
     <message>
         <source>Open</source>
@@ -5434,7 +6281,9 @@ Sinon : d'abord la meilleure vue, puis la meilleure à côté</translation>
     <message numerus="yes">
         <source>%n segmentations of this series lie beside it.</source>
         <translation>
-            <numerusform>%n segmentation de cette série se trouve à côté.</numerusform><numerusform>%n segmentations de cette série se trouvent à côté.</numerusform></translation>
+            <numerusform>%n segmentation de cette série se trouve à côté.</numerusform>
+            <numerusform>%n segmentations de cette série se trouvent à côté.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -5444,8 +6293,8 @@ Sinon : d'abord la meilleure vue, puis la meilleure à côté</translation>
         <translation>%L1 ml</translation>
     </message>
     <message>
-        <source>The region's volume against its tolerance, both logarithmic. A cliff is a leak; green marks where the region hardly changes</source>
-        <translation>Volume de la région selon sa tolérance, tous deux logarithmiques. Une falaise est une fuite ; le vert marque où la région change à peine</translation>
+        <source>The region&apos;s volume against its tolerance, both logarithmic. A cliff is a leak; green marks where the region hardly changes</source>
+        <translation>Volume de la région selon sa tolérance, tous deux logarithmiques. Une falaise est une fuite&#xa0;; le vert marque où la région change à peine</translation>
     </message>
 </context>
 <context>
@@ -5460,7 +6309,7 @@ Sinon : d'abord la meilleure vue, puis la meilleure à côté</translation>
     </message>
     <message>
         <source>Above are two 3-D views, C1 and C2; below are three slices. The torso opens with several structures in focus: what hides them is cut away.</source>
-        <translation>En haut, deux vues 3D, C1 et C2 ; en bas, trois coupes. Le torse s'ouvre avec plusieurs structures ciblées : ce qui les cache est enlevé.</translation>
+        <translation>En haut, deux vues 3D, C1 et C2&#xa0;; en bas, trois coupes. Le torse s&apos;ouvre avec plusieurs structures ciblées&#xa0;: ce qui les cache est enlevé.</translation>
     </message>
     <message>
         <source>Choose a structure</source>
@@ -5476,15 +6325,15 @@ Sinon : d'abord la meilleure vue, puis la meilleure à côté</translation>
     </message>
     <message>
         <source>Drag with the left button in a 3-D view to turn it. The opening follows the kidney; C2 follows C1.</source>
-        <translation>Glissez avec le bouton gauche dans une vue 3D pour la tourner. L'ouverture suit le rein ; C2 suit C1.</translation>
+        <translation>Glissez avec le bouton gauche dans une vue 3D pour la tourner. L&apos;ouverture suit le rein&#xa0;; C2 suit C1.</translation>
     </message>
     <message>
         <source>Widen the opening</source>
-        <translation>Élargir l'ouverture</translation>
+        <translation>Élargir l&apos;ouverture</translation>
     </message>
     <message>
         <source>The slider Opening in the panel Cutaway sets how far the opening reaches beyond the focus.</source>
-        <translation>Le curseur Ouverture du panneau Écorché règle de combien l'ouverture dépasse la cible.</translation>
+        <translation>Le curseur Ouverture du panneau Écorché règle de combien l&apos;ouverture dépasse la cible.</translation>
     </message>
     <message>
         <source>Bring tissue back</source>
@@ -5492,7 +6341,7 @@ Sinon : d'abord la meilleure vue, puis la meilleure à côté</translation>
     </message>
     <message>
         <source>The brush (P) paints back what the opening removed: here, tissue above the kidney. Ctrl+Z takes a stroke back.</source>
-        <translation>Le pinceau (P) ramène ce que l'ouverture a enlevé : ici, du tissu au-dessus du rein. Ctrl+Z annule un trait.</translation>
+        <translation>Le pinceau (P) ramène ce que l&apos;ouverture a enlevé&#xa0;: ici, du tissu au-dessus du rein. Ctrl+Z annule un trait.</translation>
     </message>
     <message>
         <source>Keep it</source>
@@ -5500,11 +6349,11 @@ Sinon : d'abord la meilleure vue, puis la meilleure à côté</translation>
     </message>
     <message>
         <source>Ctrl+S saves a session with all that you did; Ctrl+E saves a picture, for a slide. F1 opens the user guide.</source>
-        <translation>Ctrl+S enregistre une session avec tout ce que vous avez fait ; Ctrl+E enregistre une image, pour une diapositive. F1 ouvre le guide de l'utilisateur.</translation>
+        <translation>Ctrl+S enregistre une session avec tout ce que vous avez fait&#xa0;; Ctrl+E enregistre une image, pour une diapositive. F1 ouvre le guide de l&apos;utilisateur.</translation>
     </message>
     <message>
         <source>%1 of %2: %3</source>
-        <translation>%1 sur %2 : %3</translation>
+        <translation>%1 sur %2&#xa0;: %3</translation>
     </message>
     <message>
         <source>Next</source>
@@ -5543,7 +6392,7 @@ Sinon : d'abord la meilleure vue, puis la meilleure à côté</translation>
     </message>
     <message>
         <source>Drag points, or the edges, top and inside of a trapezoid. Double-click adds a point; Delete removes it; the wheel enlarges. The key ? lists all.</source>
-        <translation>Glissez des points, ou les bords, le haut et l'intérieur d'un trapèze. Un double clic ajoute un point ; Suppr l'enlève ; la molette agrandit. La touche ? liste tout.</translation>
+        <translation>Glissez des points, ou les bords, le haut et l&apos;intérieur d&apos;un trapèze. Un double clic ajoute un point&#xa0;; Suppr l&apos;enlève&#xa0;; la molette agrandit. La touche&#xa0;? liste tout.</translation>
     </message>
     <message>
         <source>Value of the selected point</source>
@@ -5559,19 +6408,19 @@ Sinon : d'abord la meilleure vue, puis la meilleure à côté</translation>
     </message>
     <message>
         <source>Shows this part of the focus by a function of the values, as the context is shown, in place of one colour and opacity</source>
-        <translation>Montre cette partie de la cible par une fonction des valeurs, comme le contexte, au lieu d'une couleur et d'une opacité</translation>
+        <translation>Montre cette partie de la cible par une fonction des valeurs, comme le contexte, au lieu d&apos;une couleur et d&apos;une opacité</translation>
     </message>
     <message>
         <source>From a preset</source>
-        <translation>D'un préréglage</translation>
+        <translation>D&apos;un préréglage</translation>
     </message>
     <message>
         <source>Takes the function of a preset for this part of the focus</source>
-        <translation>Prend la fonction d'un préréglage pour cette partie de la cible</translation>
+        <translation>Prend la fonction d&apos;un préréglage pour cette partie de la cible</translation>
     </message>
     <message>
         <source>From a file…</source>
-        <translation>D'un fichier…</translation>
+        <translation>D&apos;un fichier…</translation>
     </message>
 </context>
 <context>
@@ -5582,7 +6431,7 @@ Sinon : d'abord la meilleure vue, puis la meilleure à côté</translation>
     </message>
     <message>
         <source>Transfer function over the histogram</source>
-        <translation>Fonction de transfert sur l'histogramme</translation>
+        <translation>Fonction de transfert sur l&apos;histogramme</translation>
     </message>
     <message>
         <source>Colour…</source>
@@ -5617,23 +6466,23 @@ Sinon : d'abord la meilleure vue, puis la meilleure à côté</translation>
     <name>fenestra::viewer::Verification</name>
     <message>
         <source>Computed again in double precision: %1 pixels, drawn at random (seed %2). Beyond that: %3. Greatest difference: %4/255.</source>
-        <translation>Recalculé en double précision : %1 pixels tirés au hasard (graine %2). Au-delà : %3. Plus grand écart : %4/255.</translation>
+        <translation>Recalculé en double précision&#xa0;: %1 pixels tirés au hasard (graine %2). Au-delà&#xa0;: %3. Plus grand écart&#xa0;: %4/255.</translation>
     </message>
     <message>
         <source>%1 % of the pixels are within %2/255 of the exact picture: all were computed again.</source>
-        <translation>%1 % des pixels sont à moins de %2/255 de l'image exacte : tous ont été recalculés.</translation>
+        <translation>%1 % des pixels sont à moins de %2/255 de l&apos;image exacte&#xa0;: tous ont été recalculés.</translation>
     </message>
     <message>
         <source>At least %1 % of the pixels are within %2/255 of the exact picture, with %3 % confidence.</source>
-        <translation>Au moins %1 % des pixels sont à moins de %2/255 de l'image exacte, avec %3 % de confiance.</translation>
+        <translation>Au moins %1 % des pixels sont à moins de %2/255 de l&apos;image exacte, avec %3 % de confiance.</translation>
     </message>
     <message>
         <source>No 3-D view is on screen that could be verified.</source>
-        <translation>Aucune vue 3D à l'écran ne peut être vérifiée.</translation>
+        <translation>Aucune vue 3D à l&apos;écran ne peut être vérifiée.</translation>
     </message>
     <message>
         <source>The picture is verified once it is drawn at full quality.</source>
-        <translation>L'image est vérifiée dès qu'elle est dessinée en pleine qualité.</translation>
+        <translation>L&apos;image est vérifiée dès qu&apos;elle est dessinée en pleine qualité.</translation>
     </message>
     <message>
         <source>Verify this picture</source>
@@ -5641,11 +6490,11 @@ Sinon : d'abord la meilleure vue, puis la meilleure à côté</translation>
     </message>
     <message>
         <source>&amp;Save the picture…</source>
-        <translation>&amp;Enregistrer l'image…</translation>
+        <translation>&amp;Enregistrer l&apos;image…</translation>
     </message>
     <message>
         <source>Save the picture with its certificate</source>
-        <translation>Enregistrer l'image avec son certificat</translation>
+        <translation>Enregistrer l&apos;image avec son certificat</translation>
     </message>
     <message>
         <source>PNG</source>
@@ -5662,18 +6511,6 @@ Sinon : d'abord la meilleure vue, puis la meilleure à côté</translation>
 </context>
 <context>
     <name>fenestra::viewer::ViewArea</name>
-    <message>
-        <source>3-D views are not available here.
-
-%1
-
-The slices below work without it.</source>
-        <translation>Les vues 3D ne sont pas disponibles ici.
-
-%1
-
-Les coupes ci-dessous fonctionnent sans elles.</translation>
-    </message>
     <message>
         <source>3-D views are not available here.
 
@@ -5703,7 +6540,7 @@ Les coupes fonctionnent sans elles.</translation>
     </message>
     <message>
         <source>Freeze the opening</source>
-        <translation>Figer l'ouverture</translation>
+        <translation>Figer l&apos;ouverture</translation>
     </message>
 </context>
 <context>
@@ -5718,15 +6555,15 @@ Les coupes fonctionnent sans elles.</translation>
     </message>
     <message>
         <source>Editing the label; the one before still shows</source>
-        <translation>Modification de l'étiquette ; la précédente reste affichée</translation>
+        <translation>Modification de l&apos;étiquette&#xa0;; la précédente reste affichée</translation>
     </message>
     <message>
         <source>Not yet as asked for: the picture is being prepared</source>
-        <translation>Pas encore ce qui est demandé : l'image est en préparation</translation>
+        <translation>Pas encore ce qui est demandé&#xa0;: l&apos;image est en préparation</translation>
     </message>
     <message>
         <source>Waits for the picture</source>
-        <translation>Attend l'image</translation>
+        <translation>Attend l&apos;image</translation>
     </message>
     <message>
         <source>C%1</source>
@@ -5753,18 +6590,18 @@ Les coupes fonctionnent sans elles.</translation>
     </message>
     <message>
         <source>Preparing the picture, %1 s</source>
-        <translation>Préparation de l'image, %1 s</translation>
+        <translation>Préparation de l&apos;image, %1 s</translation>
     </message>
 </context>
 <context>
     <name>fenestra::viewer::WelcomePage</name>
     <message>
         <source>3-D views are not available here; slices work. %1</source>
-        <translation>Les vues 3D ne sont pas disponibles ici ; les coupes fonctionnent. %1</translation>
+        <translation>Les vues 3D ne sont pas disponibles ici&#xa0;; les coupes fonctionnent. %1</translation>
     </message>
     <message>
         <source>No graphics card was found: the processor draws the 3-D views, in smaller pictures while something moves. (%1)</source>
-        <translation>Aucune carte graphique trouvée : le processeur dessine les vues 3D, en images plus petites pendant les mouvements. (%1)</translation>
+        <translation>Aucune carte graphique trouvée&#xa0;: le processeur dessine les vues 3D, en images plus petites pendant les mouvements. (%1)</translation>
     </message>
     <message>
         <source>The graphics card draws the 3-D views. (%1)</source>
@@ -5772,7 +6609,7 @@ Les coupes fonctionnent sans elles.</translation>
     </message>
     <message>
         <source>Choose a structure in a CT or MR, and the tissue in front of it opens. &lt;b&gt;Not for diagnostic use.&lt;/b&gt;</source>
-        <translation>Choisissez une structure dans une TDM ou une IRM, et le tissu devant elle s'ouvre. &lt;b&gt;Ne pas utiliser pour le diagnostic.&lt;/b&gt;</translation>
+        <translation>Choisissez une structure dans une TDM ou une IRM, et le tissu devant elle s&apos;ouvre. &lt;b&gt;Ne pas utiliser pour le diagnostic.&lt;/b&gt;</translation>
     </message>
     <message>
         <source>Opened last</source>
@@ -5780,15 +6617,15 @@ Les coupes fonctionnent sans elles.</translation>
     </message>
     <message>
         <source>User guide (F1)</source>
-        <translation>Guide de l'utilisateur (F1)</translation>
+        <translation>Guide de l&apos;utilisateur (F1)</translation>
     </message>
     <message>
         <source>Built-in phantoms</source>
         <translation>Fantômes intégrés</translation>
     </message>
     <message>
-        <source>Bodies made of simple shapes, with every structure labelled. Nobody's data: try everything on them.</source>
-        <translation>Des corps de formes simples, dont chaque structure est étiquetée. Les données de personne : essayez tout dessus.</translation>
+        <source>Bodies made of simple shapes, with every structure labelled. Nobody&apos;s data: try everything on them.</source>
+        <translation>Des corps de formes simples, dont chaque structure est étiquetée. Les données de personne&#xa0;: essayez tout dessus.</translation>
     </message>
     <message>
         <source>Guided tour</source>
@@ -5804,7 +6641,7 @@ Les coupes fonctionnent sans elles.</translation>
     </message>
     <message>
         <source>Drop a folder of DICOM files, or a NIfTI, NRRD or MetaImage file, anywhere in this window.</source>
-        <translation>Déposez un dossier de fichiers DICOM, ou un fichier NIfTI, NRRD ou MetaImage, n'importe où dans cette fenêtre.</translation>
+        <translation>Déposez un dossier de fichiers DICOM, ou un fichier NIfTI, NRRD ou MetaImage, n&apos;importe où dans cette fenêtre.</translation>
     </message>
     <message>
         <source>Start the tour</source>
@@ -5839,7 +6676,7 @@ Les coupes fonctionnent sans elles.</translation>
     </message>
     <message>
         <source>&amp;Invert: low values bright</source>
-        <translation>&amp;Inverser : valeurs basses claires</translation>
+        <translation>&amp;Inverser&#xa0;: valeurs basses claires</translation>
     </message>
     <message>
         <source>&amp;Width</source>
@@ -5848,263 +6685,6 @@ Les coupes fonctionnent sans elles.</translation>
     <message>
         <source>&amp;Level</source>
         <translation>&amp;Niveau</translation>
-    </message>
-</context>
-<context>
-    <name>PlaneMenu</name>
-    <message>
-        <source>Slab of the %1 slice</source>
-        <translation>Bloc de la coupe : %1</translation>
-    </message>
-    <message>
-        <source>Thickness in mm, half of it to each side; 0 is the slice alone:</source>
-        <translation>Épaisseur en mm, la moitié de chaque côté ; 0 est la coupe seule :</translation>
-    </message>
-    <message>
-        <source>Off: the slice alone</source>
-        <translation>Sans : la coupe seule</translation>
-    </message>
-    <message>
-        <source>%1 mm</source>
-        <translation>%L1 mm</translation>
-    </message>
-    <message>
-        <source>Other: %1 mm…</source>
-        <translation>Autre : %1 mm…</translation>
-    </message>
-    <message>
-        <source>Other…</source>
-        <translation>Autre…</translation>
-    </message>
-    <message>
-        <source>Maximum (MIP)</source>
-        <translation>Maximum (MIP)</translation>
-    </message>
-    <message>
-        <source>Minimum (MinIP)</source>
-        <translation>Minimum (MinIP)</translation>
-    </message>
-    <message>
-        <source>Mean</source>
-        <translation>Moyenne</translation>
-    </message>
-    <message>
-        <source>All slices as this one</source>
-        <translation>Toutes les coupes comme celle-ci</translation>
-    </message>
-    <message>
-        <source>Slice faces C1</source>
-        <translation>Coupe face à C1</translation>
-    </message>
-    <message>
-        <source>Slice faces C2</source>
-        <translation>Coupe face à C2</translation>
-    </message>
-    <message>
-        <source>Slab</source>
-        <translation>Bloc</translation>
-    </message>
-    <message>
-        <source>Reset this slice's plane</source>
-        <translation>Réinitialiser le plan de cette coupe</translation>
-    </message>
-    <message>
-        <source>Reset all planes</source>
-        <translation>Réinitialiser tous les plans</translation>
-    </message>
-</context>
-<context>
-    <name>PlaneTool</name>
-    <message>
-        <source>%1°</source>
-        <translation>%L1°</translation>
-    </message>
-</context>
-<context>
-    <name>Slab</name>
-    <message>
-        <source>MIP</source>
-        <translation>MIP</translation>
-    </message>
-    <message>
-        <source>MinIP</source>
-        <translation>MinIP</translation>
-    </message>
-    <message>
-        <source>Mean</source>
-        <translation>Moyenne</translation>
-    </message>
-    <message>
-        <source>%1 %2 mm</source>
-        <translation>%1 %L2 mm</translation>
-    </message>
-</context>
-<context>
-    <name>ViewArea</name>
-    <message>
-        <source>&amp;Five views</source>
-        <translation>&amp;Cinq vues</translation>
-    </message>
-    <message>
-        <source>C&amp;1 and C2</source>
-        <translation>C&amp;1 et C2</translation>
-    </message>
-    <message>
-        <source>&amp;3-D large, three slices</source>
-        <translation>&amp;3D en grand, trois coupes</translation>
-    </message>
-    <message>
-        <source>&amp;Slices alone</source>
-        <translation>Coupes &amp;seules</translation>
-    </message>
-    <message>
-        <source>&amp;Axial large</source>
-        <translation>&amp;Axial en grand</translation>
-    </message>
-    <message>
-        <source>F&amp;our: C1 and slices</source>
-        <translation>&amp;Quatre : C1 et coupes</translation>
-    </message>
-    <message>
-        <source>C1 &amp;beside axial</source>
-        <translation>C1 à côté &amp;d'axial</translation>
-    </message>
-</context>
-<context>
-    <name>fenestra::viewer::DockFolding</name>
-    <message>
-        <source>Fold %1</source>
-        <translation>Replier %1</translation>
-    </message>
-    <message>
-        <source>Folds this panel to its title, so that those above have more room</source>
-        <translation>Replie ce panneau sur son titre, pour laisser plus de place à ceux du dessus</translation>
-    </message>
-</context>
-<context>
-    <name>fenestra::viewer::KeyBindings</name>
-    <message>
-        <source>It is not JSON, from character %1 on: %2.</source>
-        <translation>Ce n'est pas du JSON, à partir du caractère %1 : %2.</translation>
-    </message>
-    <message>
-        <source>It does not hold Fenestra's keys: choose a file that Export in this dialog wrote.</source>
-        <translation>Il ne contient pas les touches de Fenestra : choisissez un fichier écrit par Exporter dans ce dialogue.</translation>
-    </message>
-    <message>
-        <source>It was written by a newer version of Fenestra.</source>
-        <translation>Il a été écrit par une version plus récente de Fenestra.</translation>
-    </message>
-    <message>
-        <source>"%1", of "%2", is no key.</source>
-        <translation>« %1 », de « %2 », n'est pas une touche.</translation>
-    </message>
-    <message>
-        <source>%1, of "%2", is a key of the views.</source>
-        <translation>%1, de « %2 », est une touche des vues.</translation>
-    </message>
-    <message>
-        <source>%1 is the key of both "%2" and "%3".</source>
-        <translation>%1 est la touche de « %2 » et de « %3 ».</translation>
-    </message>
-</context>
-<context>
-    <name>fenestra::viewer::KeysDialog</name>
-    <message>
-        <source>Change keys</source>
-        <translation>Changer les touches</translation>
-    </message>
-    <message>
-        <source>Show entries with these words or keys</source>
-        <translation>Afficher les entrées avec ces mots ou touches</translation>
-    </message>
-    <message>
-        <source>Menu</source>
-        <translation>Menu</translation>
-    </message>
-    <message>
-        <source>Entry</source>
-        <translation>Entrée</translation>
-    </message>
-    <message>
-        <source>Keys</source>
-        <translation>Touches</translation>
-    </message>
-    <message>
-        <source>&amp;Take it</source>
-        <translation>&amp;La prendre</translation>
-    </message>
-    <message>
-        <source>Gives the key to this entry, and the other one loses it</source>
-        <translation>Donne la touche à cette entrée, et l'autre la perd</translation>
-    </message>
-    <message>
-        <source>&amp;No key</source>
-        <translation>&amp;Aucune touche</translation>
-    </message>
-    <message>
-        <source>As it &amp;was</source>
-        <translation>&amp;Comme avant</translation>
-    </message>
-    <message>
-        <source>The key that the entry comes with</source>
-        <translation>La touche d'origine de l'entrée</translation>
-    </message>
-    <message>
-        <source>&amp;Key</source>
-        <translation>&amp;Touche</translation>
-    </message>
-    <message>
-        <source>&amp;All as they were</source>
-        <translation>T&amp;outes comme avant</translation>
-    </message>
-    <message>
-        <source>&amp;Export…</source>
-        <translation>&amp;Exporter…</translation>
-    </message>
-    <message>
-        <source>&amp;Import…</source>
-        <translation>&amp;Importer…</translation>
-    </message>
-    <message>
-        <source>Click into the box and press the key. Changed keys are bold.</source>
-        <translation>Cliquez dans la case et appuyez sur la touche. Les touches changées sont en gras.</translation>
-    </message>
-    <message>
-        <source>%1 is a key of the views: no entry can have it.</source>
-        <translation>%1 est une touche des vues : aucune entrée ne peut l'avoir.</translation>
-    </message>
-    <message>
-        <source>%1 is the key of %2 → %3. Take it?</source>
-        <translation>%1 est la touche de %2 → %3. La prendre ?</translation>
-    </message>
-    <message>
-        <source>Export keys</source>
-        <translation>Exporter les touches</translation>
-    </message>
-    <message>
-        <source>Written to %1.</source>
-        <translation>Écrit dans %1.</translation>
-    </message>
-    <message>
-        <source>%1 cannot be written: %2. Choose another folder.</source>
-        <translation>%1 ne peut pas être écrit : %2. Choisissez un autre dossier.</translation>
-    </message>
-    <message>
-        <source>Import keys</source>
-        <translation>Importer les touches</translation>
-    </message>
-    <message>
-        <source>Keys (*.json);;All files (*)</source>
-        <translation>Touches (*.json);;Tous les fichiers (*)</translation>
-    </message>
-    <message>
-        <source>%1 cannot be read: %2.</source>
-        <translation>%1 ne peut pas être lu : %2.</translation>
-    </message>
-    <message>
-        <source>Taken over from %1.</source>
-        <translation>Repris de %1.</translation>
     </message>
 </context>
 </TS>

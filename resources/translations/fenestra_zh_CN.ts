@@ -247,7 +247,7 @@
         <translation>Shift+滚轮、Shift+拖动</translation>
     </message>
     <message>
-        <source>depth, or by how much the context's edges change</source>
+        <source>depth, or by how much the context&apos;s edges change</source>
         <translation>深度，或周围组织边缘的变化量</translation>
     </message>
     <message>
@@ -267,7 +267,7 @@
         <translation>传递函数</translation>
     </message>
     <message>
-        <source>Drag a point, or a trapezoid's edge, top or inside</source>
+        <source>Drag a point, or a trapezoid&apos;s edge, top or inside</source>
         <translation>拖动节点，或梯形的边、顶或内部</translation>
     </message>
     <message>
@@ -363,7 +363,7 @@
         <translation>厚层的厚度，从单个层面到 100 mm</translation>
     </message>
     <message>
-        <source>The crosshair's lines, on the slices</source>
+        <source>The crosshair&apos;s lines, on the slices</source>
         <translation>十字线的线条（层面上）</translation>
     </message>
     <message>
@@ -398,6 +398,26 @@
         <source>move the picture; on the body only while clicks choose no focus (Focus menu)</source>
         <translation>平移图像；在身体上仅当单击不选择焦点时（“焦点”菜单）</translation>
     </message>
+    <message>
+        <source>What an archive holds</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Double-click, Return</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>retrieve the study or series, and open it once it is whole</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Drag onto a view</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>retrieve what is selected, and open it once it is whole</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Fidelity</name>
@@ -426,11 +446,11 @@
         <translation>文件未给出位置或尺寸，采用假定值</translation>
     </message>
     <message>
-        <source>some values are outside of what the file's header allows</source>
+        <source>some values are outside of what the file&apos;s header allows</source>
         <translation>部分数值超出文件头允许的范围</translation>
     </message>
     <message>
-        <source>values are rounded to the precision of the program's numbers</source>
+        <source>values are rounded to the precision of the program&apos;s numbers</source>
         <translation>数值按程序的数字精度取整</translation>
     </message>
     <message>
@@ -482,7 +502,7 @@
         <translation>部分体数据已被雕刻掉</translation>
     </message>
     <message>
-        <source>the scanner's table is left out</source>
+        <source>the scanner&apos;s table is left out</source>
         <translation>已去除检查床</translation>
     </message>
     <message>
@@ -650,11 +670,11 @@
 <context>
     <name>GlSupport</name>
     <message>
-        <source>Qt's offscreen platform has no OpenGL; unset QT_QPA_PLATFORM.</source>
+        <source>Qt&apos;s offscreen platform has no OpenGL; unset QT_QPA_PLATFORM.</source>
         <translation>Qt 的 offscreen 平台没有 OpenGL；请取消 QT_QPA_PLATFORM。</translation>
     </message>
     <message>
-        <source>No OpenGL context can be made on this display. Install the graphics driver, or Mesa's software renderer (Debian: libgl1-mesa-dri); on a remote desktop, start Fenestra there.</source>
+        <source>No OpenGL context can be made on this display. Install the graphics driver, or Mesa&apos;s software renderer (Debian: libgl1-mesa-dri); on a remote desktop, start Fenestra there.</source>
         <translation>无法在此显示器上创建 OpenGL 上下文。请安装显卡驱动或 Mesa 软件渲染器（Debian：libgl1-mesa-dri）；使用远程桌面时，请在远端启动 Fenestra。</translation>
     </message>
     <message>
@@ -826,6 +846,10 @@
         <source>Cutaway</source>
         <translation>剖切</translation>
     </message>
+    <message>
+        <source>Series</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Patient</name>
@@ -844,145 +868,75 @@
         <source>From the side of the body that the focus is nearer to, rather than through the body, where both show about as much</source>
         <translation>显示内容相近时，从焦点较近的身体一侧观察，而非穿过身体</translation>
     </message>
+</context>
+<context>
+    <name>PlaneMenu</name>
     <message>
-        <source>Depth</source>
-        <translation>深度</translation>
+        <source>Slab of the %1 slice</source>
+        <translation>%1层面的厚层</translation>
     </message>
     <message>
-        <source>How deep the focus lies; below 0 prefers views with little in front of it.
-vd1 = mean depth of the focus's pixels / diameter of the model's sphere</source>
-        <translation>焦点的深度；小于 0 时优先选择前方遮挡少的视角。
-vd1 = 焦点像素的平均深度 / 模型包围球直径</translation>
+        <source>Thickness in mm, half of it to each side; 0 is the slice alone:</source>
+        <translation>厚度 (mm)，两侧各一半；0 为单个层面：</translation>
     </message>
     <message>
-        <source>Size</source>
-        <translation>大小</translation>
+        <source>Off: the slice alone</source>
+        <translation>关：单个层面</translation>
     </message>
     <message>
-        <source>How large the focus is in the picture.
-vd2 = pixels of the focus / pixels of the picture</source>
-        <translation>焦点在图像中的大小。
-vd2 = 焦点像素数 / 图像像素数</translation>
+        <source>%1 mm</source>
+        <translation>%L1 mm</translation>
     </message>
     <message>
-        <source>Centring</source>
-        <translation>居中</translation>
+        <source>Other: %1 mm…</source>
+        <translation>其他：%1 mm…</translation>
     </message>
     <message>
-        <source>How near to the middle of the picture it is.
-vd3 = 1 − distance of its centroid from the middle / distance of a corner</source>
-        <translation>距图像中心的远近。
-vd3 = 1 − 质心到中心的距离 / 角到中心的距离</translation>
+        <source>Other…</source>
+        <translation>其他…</translation>
     </message>
     <message>
-        <source>Cut ends</source>
-        <translation>扫描断端</translation>
+        <source>Maximum (MIP)</source>
+        <translation>最大值 (MIP)</translation>
     </message>
     <message>
-        <source>Below 0 avoids looking at the focus through a face where the scan cuts the body off.
-Share of the focus's pixels whose rays enter the volume inside the body</source>
-        <translation>小于 0 时避免透过扫描截断身体的面观察焦点。
-光线在身体内部进入体数据的焦点像素比例</translation>
+        <source>Minimum (MinIP)</source>
+        <translation>最小值 (MinIP)</translation>
     </message>
     <message>
-        <source>Evenness</source>
-        <translation>均匀性</translation>
+        <source>Mean</source>
+        <translation>均值</translation>
     </message>
     <message>
-        <source>How much of its surface is seen.
-Viewpoint entropy −Σ p log p of the seen surface points, over its maximum (Bordoloi, Shen 2005)</source>
-        <translation>可见表面的多少。
-可见表面点的视点熵 −Σ p log p 与其最大值之比 (Bordoloi, Shen 2005)</translation>
+        <source>All slices as this one</source>
+        <translation>所有层面同此</translation>
     </message>
     <message>
-        <source>Typical</source>
-        <translation>典型性</translation>
+        <source>Slice faces C1</source>
+        <translation>层面朝向 C1</translation>
     </message>
     <message>
-        <source>How typical the view is of all views.
-1 − Σ p(o|v) log(p(o|v) / p(o)) over its maximum (Viola et al. 2006)</source>
-        <translation>该视角在所有视角中的典型程度。
-1 − Σ p(o|v) log(p(o|v) / p(o)) 与其最大值之比 (Viola et al. 2006)</translation>
+        <source>Slice faces C2</source>
+        <translation>层面朝向 C2</translation>
     </message>
     <message>
-        <source>Steady</source>
-        <translation>稳定性</translation>
+        <source>Slab</source>
+        <translation>厚层</translation>
     </message>
     <message>
-        <source>How little changes when the camera moves a bit.
-1 − Jensen–Shannon divergence to the eight nearest views</source>
-        <translation>相机稍动时变化的大小。
-1 − 与八个最近视角的 Jensen–Shannon 散度</translation>
+        <source>Reset this slice&apos;s plane</source>
+        <translation>重置此层面的平面</translation>
     </message>
     <message>
-        <source>Standard view</source>
-        <translation>标准视角</translation>
+        <source>Reset all planes</source>
+        <translation>重置全部平面</translation>
     </message>
+</context>
+<context>
+    <name>PlaneTool</name>
     <message>
-        <source>How near the view is to anterior, left, superior …: a little decides between equally good views.
-Cosine of the angle to the nearest of the six</source>
-        <translation>视角与前、左、上等标准方向的接近程度：少量权重即可在同样好的视角间取舍。
-与六个方向中最近者夹角的余弦</translation>
-    </message>
-    <message>
-        <source>Not through cut ends</source>
-        <translation>不透过断端</translation>
-    </message>
-    <message>
-        <source>No view within 45° of an end of the scan where the body goes on, while another one shows at least two thirds as much of the focus</source>
-        <translation>若另一视角至少能显示三分之二的焦点，则不取扫描断端 45° 以内的视角</translation>
-    </message>
-    <message>
-        <source>From around before from above</source>
-        <translation>水平环视优先于俯视</translation>
-    </message>
-    <message>
-        <source>From the front, from behind, the left or the right rather than from above or below, where both show about as much</source>
-        <translation>显示内容相近时，优先从前、后、左、右而非上、下观察</translation>
-    </message>
-    <message>
-        <source>Thin stacks from the front</source>
-        <translation>薄层堆叠取正面</translation>
-    </message>
-    <message>
-        <source>A stack of a few slices, or one much thinner than wide, is seen from the side from which its slices are shown, not edge-on</source>
-        <translation>层面很少或厚度远小于宽度的堆叠从显示层面的一侧观察，而非侧边</translation>
-    </message>
-    <message>
-        <source>From the near side</source>
-        <translation>取较近一侧</translation>
-    </message>
-    <message>
-        <source>Usual side</source>
-        <translation>常用方向</translation>
-    </message>
-    <message>
-        <source>How usual the view is: from the front rather than from the side, from behind, from above or below</source>
-        <translation>视角的常用程度：正面优先于侧面、背面、上方或下方</translation>
-    </message>
-    <message>
-        <source>Last view</source>
-        <translation>上次视角</translation>
-    </message>
-    <message>
-        <source>How near the view is to the present one, so that it does not jump</source>
-        <translation>与当前视角的接近程度，避免跳变</translation>
-    </message>
-    <message>
-        <source>Shape</source>
-        <translation>形状</translation>
-    </message>
-    <message>
-        <source>How well the view shows the structure's shape around the point: onto what is flat, across what is long</source>
-        <translation>视角对该点周围结构形状的显示程度：扁平者取正面，细长者取横向</translation>
-    </message>
-    <message>
-        <source>Unhidden</source>
-        <translation>无遮挡</translation>
-    </message>
-    <message>
-        <source>How little hides the structure around the point, before anything is cut away</source>
-        <translation>在切除任何组织之前，该点周围结构被遮挡的程度有多小</translation>
+        <source>%1°</source>
+        <translation>%L1°</translation>
     </message>
 </context>
 <context>
@@ -1060,6 +1014,72 @@ Cosine of the angle to the nearest of the six</source>
     <message>
         <source>There is not enough memory for this picture. Close other programs, or open a smaller volume.</source>
         <translation>内存不足以绘制此图像。请关闭其他程序，或打开较小的体数据。</translation>
+    </message>
+</context>
+<context>
+    <name>Series</name>
+    <message>
+        <source>%1 mm</source>
+        <translation type="unfinished">%L1 mm</translation>
+    </message>
+    <message>
+        <source>every %1</source>
+        <translation type="unfinished">间距 %1</translation>
+    </message>
+    <message>
+        <source>%1, every %2</source>
+        <translation type="unfinished">%1，间距 %2</translation>
+    </message>
+    <message>
+        <source>time point %1 of %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Series without a name</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Series %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Study %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>ServerEntry</name>
+    <message>
+        <source>The server&apos;s AE title has 1 to 16 letters and digits; its administrator knows it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Our AE title has 1 to 16 letters and digits; the server must know it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The host is a name or an address, such as pacs.hospital or 192.168.1.5.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>C-MOVE needs a port of ours that is entered at the server.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>TLS needs the file of the certificates that may sign the server&apos;s, in PEM.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Our certificate needs its key, and the key its certificate.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The address is that of DICOMweb&apos;s root, such as https://pacs.hospital/dicom-web.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A login with a password needs the user&apos;s name.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -1161,7 +1181,7 @@ Cosine of the angle to the nearest of the six</source>
         <translation>ClearView</translation>
     </message>
     <message>
-        <source>A lens over the focus through which it shows, while what hides it fades towards the lens's middle and stays where it bends (Krüger, Schneider and Westermann 2006)</source>
+        <source>A lens over the focus through which it shows, while what hides it fades towards the lens&apos;s middle and stays where it bends (Krüger, Schneider and Westermann 2006)</source>
         <translation>焦点上方的透镜，透过它可见焦点；遮挡物向透镜中心淡化，弯曲处保留 (Krüger, Schneider, Westermann 2006)</translation>
     </message>
     <message>
@@ -1169,7 +1189,7 @@ Cosine of the angle to the nearest of the six</source>
         <translation>透镜保留</translation>
     </message>
     <message>
-        <source>What stays within ClearView's lens of what hides the focus, beside its bends</source>
+        <source>What stays within ClearView&apos;s lens of what hides the focus, beside its bends</source>
         <translation>ClearView 透镜内除弯曲处外保留多少遮挡焦点的组织</translation>
     </message>
     <message>
@@ -1177,7 +1197,7 @@ Cosine of the angle to the nearest of the six</source>
         <translation>透镜位置</translation>
     </message>
     <message>
-        <source>What ClearView's lens lies over, as you see it</source>
+        <source>What ClearView&apos;s lens lies over, as you see it</source>
         <translation>ClearView 透镜所覆盖的位置</translation>
     </message>
     <message>
@@ -1185,7 +1205,7 @@ Cosine of the angle to the nearest of the six</source>
         <translation>透镜</translation>
     </message>
     <message>
-        <source>Radius of ClearView's lens, as a share of the volume's longest side; its authors use 18.2</source>
+        <source>Radius of ClearView&apos;s lens, as a share of the volume&apos;s longest side; its authors use 18.2</source>
         <translation>ClearView 透镜半径，占体数据最长边的比例；原作者取 18.2</translation>
     </message>
     <message>
@@ -1193,7 +1213,7 @@ Cosine of the angle to the nearest of the six</source>
         <translation>保留弯曲</translation>
     </message>
     <message>
-        <source>How much of the bends of what hides the focus stays within ClearView's lens; 0 keeps none</source>
+        <source>How much of the bends of what hides the focus stays within ClearView&apos;s lens; 0 keeps none</source>
         <translation>ClearView 透镜内保留多少遮挡物的弯曲；0 为不保留</translation>
     </message>
     <message>
@@ -1201,7 +1221,7 @@ Cosine of the angle to the nearest of the six</source>
         <translation>透镜边缘</translation>
     </message>
     <message>
-        <source>How thin the dark line around ClearView's lens is: more is thinner</source>
+        <source>How thin the dark line around ClearView&apos;s lens is: more is thinner</source>
         <translation>ClearView 透镜周围暗线的细度：越大越细</translation>
     </message>
     <message>
@@ -1225,7 +1245,7 @@ Cosine of the angle to the nearest of the six</source>
         <translation>向边缘</translation>
     </message>
     <message>
-        <source>The nearer to the lens's rim, the more of what hides the focus</source>
+        <source>The nearer to the lens&apos;s rim, the more of what hides the focus</source>
         <translation>越靠近透镜边缘，保留的遮挡物越多</translation>
     </message>
     <message>
@@ -1253,11 +1273,11 @@ Cosine of the angle to the nearest of the six</source>
         <translation>围绕焦点、以固定角度向您扩张的漏斗：焦点越深开口越宽 (Burns, Finkelstein 2008)</translation>
     </message>
     <message>
-        <source>Cone's angle</source>
+        <source>Cone&apos;s angle</source>
         <translation>锥角</translation>
     </message>
     <message>
-        <source>Angle between the axis and the wall of the cone cutaway's cones: more opens wider</source>
+        <source>Angle between the axis and the wall of the cone cutaway&apos;s cones: more opens wider</source>
         <translation>锥形剖切的轴与锥壁夹角：越大开口越宽</translation>
     </message>
     <message>
@@ -1313,7 +1333,7 @@ Cosine of the angle to the nearest of the six</source>
         <translation>切割方向</translation>
     </message>
     <message>
-        <source>Whether the planes of an exploded view lie along the patient's axes or the view's</source>
+        <source>Whether the planes of an exploded view lie along the patient&apos;s axes or the view&apos;s</source>
         <translation>爆炸视图的平面沿患者轴还是视图轴</translation>
     </message>
     <message>
@@ -1345,7 +1365,7 @@ Cosine of the angle to the nearest of the six</source>
         <translation>患者</translation>
     </message>
     <message>
-        <source>Planes along the patient's axes: left and right are the patient's</source>
+        <source>Planes along the patient&apos;s axes: left and right are the patient&apos;s</source>
         <translation>沿患者轴的平面：左右为患者的左右</translation>
     </message>
     <message>
@@ -1353,7 +1373,7 @@ Cosine of the angle to the nearest of the six</source>
         <translation>视图</translation>
     </message>
     <message>
-        <source>Planes along the picture's axes, which turn with the camera</source>
+        <source>Planes along the picture&apos;s axes, which turn with the camera</source>
         <translation>沿图像轴的平面，随相机转动</translation>
     </message>
     <message>
@@ -1377,7 +1397,7 @@ Cosine of the angle to the nearest of the six</source>
         <translation>区域大小</translation>
     </message>
     <message>
-        <source>Radius of the focal region's sphere, half the side of its box, or its distance from the focus</source>
+        <source>Radius of the focal region&apos;s sphere, half the side of its box, or its distance from the focus</source>
         <translation>焦点区域的球半径、立方体半边长或到焦点的距离</translation>
     </message>
     <message>
@@ -1405,7 +1425,7 @@ Cosine of the angle to the nearest of the six</source>
         <translation>长方体</translation>
     </message>
     <message>
-        <source>A cube along the patient's axes, around the middle of the focus</source>
+        <source>A cube along the patient&apos;s axes, around the middle of the focus</source>
         <translation>沿患者轴、围绕焦点中心的立方体</translation>
     </message>
     <message>
@@ -1437,7 +1457,7 @@ Cosine of the angle to the nearest of the six</source>
         <translation>扩张角</translation>
     </message>
     <message>
-        <source>Angle at which the importance-driven opening widens from the focus's outline towards the eye</source>
+        <source>Angle at which the importance-driven opening widens from the focus&apos;s outline towards the eye</source>
         <translation>开口从焦点轮廓向观察者扩张的角度</translation>
     </message>
     <message>
@@ -1461,7 +1481,7 @@ Cosine of the angle to the nearest of the six</source>
         <translation>移除</translation>
     </message>
     <message>
-        <source>What hides the focus is removed, in a cone that widens from the focus's outline towards you (maximum importance projection)</source>
+        <source>What hides the focus is removed, in a cone that widens from the focus&apos;s outline towards you (maximum importance projection)</source>
         <translation>移除遮挡焦点的组织，范围为从焦点轮廓向观察者扩张的锥体（最大重要性投影）</translation>
     </message>
     <message>
@@ -1485,7 +1505,7 @@ Cosine of the angle to the nearest of the six</source>
         <translation>灰色</translation>
     </message>
     <message>
-        <source>Less opaque, and grey, so that the colours are the focus's alone</source>
+        <source>Less opaque, and grey, so that the colours are the focus&apos;s alone</source>
         <translation>降低不透明度并变灰，仅焦点有颜色</translation>
     </message>
     <message>
@@ -1573,7 +1593,7 @@ Cosine of the angle to the nearest of the six</source>
         <translation>前面</translation>
     </message>
     <message>
-        <source>The patient's anterior side</source>
+        <source>The patient&apos;s anterior side</source>
         <translation>患者的前侧</translation>
     </message>
     <message>
@@ -1581,7 +1601,7 @@ Cosine of the angle to the nearest of the six</source>
         <translation>后面</translation>
     </message>
     <message>
-        <source>The patient's posterior side</source>
+        <source>The patient&apos;s posterior side</source>
         <translation>患者的后侧</translation>
     </message>
     <message>
@@ -1589,7 +1609,7 @@ Cosine of the angle to the nearest of the six</source>
         <translation>左面</translation>
     </message>
     <message>
-        <source>The patient's left side</source>
+        <source>The patient&apos;s left side</source>
         <translation>患者的左侧</translation>
     </message>
     <message>
@@ -1597,7 +1617,7 @@ Cosine of the angle to the nearest of the six</source>
         <translation>右面</translation>
     </message>
     <message>
-        <source>The patient's right side</source>
+        <source>The patient&apos;s right side</source>
         <translation>患者的右侧</translation>
     </message>
     <message>
@@ -1605,7 +1625,7 @@ Cosine of the angle to the nearest of the six</source>
         <translation>上面</translation>
     </message>
     <message>
-        <source>The patient's superior side</source>
+        <source>The patient&apos;s superior side</source>
         <translation>患者的上侧</translation>
     </message>
     <message>
@@ -1613,7 +1633,7 @@ Cosine of the angle to the nearest of the six</source>
         <translation>下面</translation>
     </message>
     <message>
-        <source>The patient's inferior side</source>
+        <source>The patient&apos;s inferior side</source>
         <translation>患者的下侧</translation>
     </message>
     <message>
@@ -1697,7 +1717,7 @@ Cosine of the angle to the nearest of the six</source>
         <translation>十字线处的冠状位层面是否为墙</translation>
     </message>
     <message>
-        <source>Whether the labels' outlines are drawn on the walls</source>
+        <source>Whether the labels&apos; outlines are drawn on the walls</source>
         <translation>是否在墙上绘制标签轮廓</translation>
     </message>
     <message>
@@ -1773,7 +1793,7 @@ Cosine of the angle to the nearest of the six</source>
         <translation>减弱</translation>
     </message>
     <message>
-        <source>Shows less of the context's edges over the focus</source>
+        <source>Shows less of the context&apos;s edges over the focus</source>
         <translation>减少焦点上方的周围组织边缘</translation>
     </message>
     <message>
@@ -1781,7 +1801,7 @@ Cosine of the angle to the nearest of the six</source>
         <translation>增强</translation>
     </message>
     <message>
-        <source>Shows more of the context's edges over the focus</source>
+        <source>Shows more of the context&apos;s edges over the focus</source>
         <translation>增加焦点上方的周围组织边缘</translation>
     </message>
     <message>
@@ -1869,7 +1889,7 @@ Cosine of the angle to the nearest of the six</source>
         <translation>单色</translation>
     </message>
     <message>
-        <source>The background's colour everywhere</source>
+        <source>The background&apos;s colour everywhere</source>
         <translation>全部为背景颜色</translation>
     </message>
     <message>
@@ -1877,7 +1897,7 @@ Cosine of the angle to the nearest of the six</source>
         <translation>渐变</translation>
     </message>
     <message>
-        <source>From the background's colour at the bottom to another at the top</source>
+        <source>From the background&apos;s colour at the bottom to another at the top</source>
         <translation>从底部的背景颜色渐变到顶部的另一颜色</translation>
     </message>
     <message>
@@ -1985,7 +2005,7 @@ Cosine of the angle to the nearest of the six</source>
         <translation>轴偏角</translation>
     </message>
     <message>
-        <source>Angle between the opening's axis and the line of sight, so that its depth shows</source>
+        <source>Angle between the opening&apos;s axis and the line of sight, so that its depth shows</source>
         <translation>开口轴与视线的夹角，使其深度可见</translation>
     </message>
     <message>
@@ -1993,7 +2013,7 @@ Cosine of the angle to the nearest of the six</source>
         <translation>方向</translation>
     </message>
     <message>
-        <source>To which side of the picture the opening's axis leans: 0 is the right, 90 the top</source>
+        <source>To which side of the picture the opening&apos;s axis leans: 0 is the right, 90 the top</source>
         <translation>开口轴向图像哪一侧倾斜：0 为右，90 为上</translation>
     </message>
     <message>
@@ -2009,7 +2029,7 @@ Cosine of the angle to the nearest of the six</source>
         <translation>曲率</translation>
     </message>
     <message>
-        <source>How much bends of the context's surface count as edges: eyes, nose, ears</source>
+        <source>How much bends of the context&apos;s surface count as edges: eyes, nose, ears</source>
         <translation>周围组织表面的弯曲（眼、鼻、耳）作为边缘的权重</translation>
     </message>
     <message>
@@ -2017,7 +2037,7 @@ Cosine of the angle to the nearest of the six</source>
         <translation>轮廓线</translation>
     </message>
     <message>
-        <source>How much the context's outlines, where its surface is seen edge-on, count as edges</source>
+        <source>How much the context&apos;s outlines, where its surface is seen edge-on, count as edges</source>
         <translation>周围组织轮廓（表面与视线相切处）作为边缘的权重</translation>
     </message>
     <message>
@@ -2025,7 +2045,7 @@ Cosine of the angle to the nearest of the six</source>
         <translation>光照</translation>
     </message>
     <message>
-        <source>How much the light on the context's surface shades its edges; 0 draws them flat</source>
+        <source>How much the light on the context&apos;s surface shades its edges; 0 draws them flat</source>
         <translation>周围组织表面光照对边缘明暗的影响；0 为平涂</translation>
     </message>
     <message>
@@ -2033,7 +2053,7 @@ Cosine of the angle to the nearest of the six</source>
         <translation>固有色</translation>
     </message>
     <message>
-        <source>How much the edges take the context's own colour</source>
+        <source>How much the edges take the context&apos;s own colour</source>
         <translation>边缘采用周围组织自身颜色的程度</translation>
     </message>
     <message>
@@ -2041,7 +2061,7 @@ Cosine of the angle to the nearest of the six</source>
         <translation>饱和度</translation>
     </message>
     <message>
-        <source>How saturated the context's own colour is in its edges</source>
+        <source>How saturated the context&apos;s own colour is in its edges</source>
         <translation>边缘中周围组织颜色的饱和度</translation>
     </message>
     <message>
@@ -2057,7 +2077,7 @@ Cosine of the angle to the nearest of the six</source>
         <translation>颜色</translation>
     </message>
     <message>
-        <source>Colour of the context's edges</source>
+        <source>Colour of the context&apos;s edges</source>
         <translation>周围组织边缘的颜色</translation>
     </message>
     <message>
@@ -2197,7 +2217,7 @@ Cosine of the angle to the nearest of the six</source>
         <translation>隐藏检查床</translation>
     </message>
     <message>
-        <source>Whether 3-D pictures of a CT leave out the scanner's table, head rest and cushions</source>
+        <source>Whether 3-D pictures of a CT leave out the scanner&apos;s table, head rest and cushions</source>
         <translation>CT 的三维图像是否去除检查床、头托和垫子</translation>
     </message>
     <message>
@@ -2261,7 +2281,7 @@ Cosine of the angle to the nearest of the six</source>
         <translation>强度</translation>
     </message>
     <message>
-        <source>How much of the context's edges Fade takes or Strengthen adds</source>
+        <source>How much of the context&apos;s edges Fade takes or Strengthen adds</source>
         <translation>“减弱”去除或“增强”添加周围组织边缘的程度</translation>
     </message>
     <message>
@@ -2269,7 +2289,7 @@ Cosine of the angle to the nearest of the six</source>
         <translation>至表面</translation>
     </message>
     <message>
-        <source>Whether Restore reaches to the context's first surface, however deep that lies</source>
+        <source>Whether Restore reaches to the context&apos;s first surface, however deep that lies</source>
         <translation>“恢复”是否直达周围组织的第一个表面，不论深度</translation>
     </message>
     <message>
@@ -2301,7 +2321,7 @@ Cosine of the angle to the nearest of the six</source>
         <translation>仅剖切</translation>
     </message>
     <message>
-        <source>Context's edges</source>
+        <source>Context&apos;s edges</source>
         <translation>周围组织边缘</translation>
     </message>
     <message>
@@ -2343,22 +2363,6 @@ Cosine of the angle to the nearest of the six</source>
     <message>
         <source>Even light that keeps colours to be told apart</source>
         <translation>均匀光照，便于区分颜色</translation>
-    </message>
-    <message>
-        <source>Brain</source>
-        <translation>脑</translation>
-    </message>
-    <message>
-        <source>Abdomen</source>
-        <translation>腹部</translation>
-    </message>
-    <message>
-        <source>Mediastinum</source>
-        <translation>纵隔</translation>
-    </message>
-    <message>
-        <source>Lung</source>
-        <translation>肺</translation>
     </message>
     <message>
         <source>the point lies outside of the volume</source>
@@ -2562,7 +2566,7 @@ Cosine of the angle to the nearest of the six</source>
     </message>
     <message>
         <source>How deep the focus lies; below 0 prefers views with little in front of it.
-vd1 = mean depth of the focus's pixels / diameter of the model's sphere</source>
+vd1 = mean depth of the focus&apos;s pixels / diameter of the model&apos;s sphere</source>
         <translation>焦点的深度；小于 0 时优先选择前方遮挡少的视角。
 vd1 = 焦点像素的平均深度 / 模型包围球直径</translation>
     </message>
@@ -2592,7 +2596,7 @@ vd3 = 1 − 质心到中心的距离 / 角到中心的距离</translation>
     </message>
     <message>
         <source>Below 0 avoids looking at the focus through a face where the scan cuts the body off.
-Share of the focus's pixels whose rays enter the volume inside the body</source>
+Share of the focus&apos;s pixels whose rays enter the volume inside the body</source>
         <translation>小于 0 时避免透过扫描截断身体的面观察焦点。
 光线在身体内部进入体数据的焦点像素比例</translation>
     </message>
@@ -2669,7 +2673,7 @@ Cosine of the angle to the nearest of the six</source>
         <translation>语言（下次启动时）</translation>
     </message>
     <message>
-        <source>Language of the window's texts and numbers; it changes when Fenestra starts again</source>
+        <source>Language of the window&apos;s texts and numbers; it changes when Fenestra starts again</source>
         <translation>窗口文字和数字的语言；重新启动 Fenestra 后生效</translation>
     </message>
     <message>
@@ -2693,7 +2697,7 @@ Cosine of the angle to the nearest of the six</source>
         <translation>形状</translation>
     </message>
     <message>
-        <source>How well the view shows the structure's shape around the point: onto what is flat, across what is long</source>
+        <source>How well the view shows the structure&apos;s shape around the point: onto what is flat, across what is long</source>
         <translation>视角对该点周围结构形状的显示程度：扁平者取正面，细长者取横向</translation>
     </message>
     <message>
@@ -2709,8 +2713,47 @@ Cosine of the angle to the nearest of the six</source>
         <translation>神经学惯例</translation>
     </message>
     <message>
-        <source>Axial and coronal slices show the patient's left on the left; otherwise it is on the right, as radiologists have it</source>
+        <source>Axial and coronal slices show the patient&apos;s left on the left; otherwise it is on the right, as radiologists have it</source>
         <translation>轴位和冠状位层面将患者左侧显示在左边；否则在右边，符合放射学惯例</translation>
+    </message>
+    <message>
+        <source>Objects of archives, at most</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Disk space for what was retrieved from archive servers: the series used longest ago go first</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>GB</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>de-identifying</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>listing files</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>Slab</name>
+    <message>
+        <source>MIP</source>
+        <translation>MIP</translation>
+    </message>
+    <message>
+        <source>MinIP</source>
+        <translation>MinIP</translation>
+    </message>
+    <message>
+        <source>Mean</source>
+        <translation>均值</translation>
+    </message>
+    <message>
+        <source>%1 %2 mm</source>
+        <translation>%1 %L2 mm</translation>
     </message>
 </context>
 <context>
@@ -2746,6 +2789,37 @@ Cosine of the angle to the nearest of the six</source>
     <message>
         <source>No focus</source>
         <translation>无焦点</translation>
+    </message>
+</context>
+<context>
+    <name>ViewArea</name>
+    <message>
+        <source>&amp;Five views</source>
+        <translation>五个视图(&amp;F)</translation>
+    </message>
+    <message>
+        <source>C&amp;1 and C2</source>
+        <translation>C1 与 C2(&amp;1)</translation>
+    </message>
+    <message>
+        <source>&amp;3-D large, three slices</source>
+        <translation>大三维视图加三个层面(&amp;3)</translation>
+    </message>
+    <message>
+        <source>&amp;Slices alone</source>
+        <translation>仅层面(&amp;S)</translation>
+    </message>
+    <message>
+        <source>&amp;Axial large</source>
+        <translation>大轴位(&amp;A)</translation>
+    </message>
+    <message>
+        <source>F&amp;our: C1 and slices</source>
+        <translation>四格(&amp;O)：C1 与层面</translation>
+    </message>
+    <message>
+        <source>C1 &amp;beside axial</source>
+        <translation>C1 与轴位并列(&amp;B)</translation>
     </message>
 </context>
 <context>
@@ -2791,7 +2865,7 @@ Cosine of the angle to the nearest of the six</source>
         <translation>DICOM、NIfTI、NRRD、MetaImage、MGH、Analyze 和 TIFF 按内容识别</translation>
     </message>
     <message>
-        <source>"Hide the table" in the panel Context brings it back</source>
+        <source>&quot;Hide the table&quot; in the panel Context brings it back</source>
         <translation>“周围组织”面板中的“隐藏检查床”可恢复显示</translation>
     </message>
     <message>
@@ -3330,7 +3404,7 @@ Cosine of the angle to the nearest of the six</source>
         <translation>静止时的画质(&amp;Q)</translation>
     </message>
     <message>
-        <source>Bound on the error that sampling leaves in a pixel's colour</source>
+        <source>Bound on the error that sampling leaves in a pixel&apos;s colour</source>
         <translation>采样在像素颜色中留下的误差上限</translation>
     </message>
     <message>
@@ -3434,10 +3508,6 @@ Cosine of the angle to the nearest of the six</source>
         <translation>名称</translation>
     </message>
     <message>
-        <source>S&amp;lices</source>
-        <translation>层面(&amp;L)</translation>
-    </message>
-    <message>
         <source>Flip &amp;left and right</source>
         <translation>左右翻转(&amp;F)</translation>
     </message>
@@ -3492,7 +3562,8 @@ Cosine of the angle to the nearest of the six</source>
     <message numerus="yes">
         <source>%n slices a second</source>
         <translation>
-            <numerusform>每秒 %n 层</numerusform></translation>
+            <numerusform>每秒 %n 层</numerusform>
+        </translation>
     </message>
     <message>
         <source>Play &amp;faster</source>
@@ -3602,6 +3673,26 @@ Cosine of the angle to the nearest of the six</source>
         <source>Bright structures</source>
         <translation>高亮结构</translation>
     </message>
+    <message>
+        <source>Send to archi&amp;ve…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The open series and its labels, to a server of the panel Archive</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>They are kept in</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>V</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shift+V</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>fenestra::viewer::AppearancePanel</name>
@@ -3620,6 +3711,179 @@ Cosine of the angle to the nearest of the six</source>
     <message>
         <source>own</source>
         <translation>自定义</translation>
+    </message>
+</context>
+<context>
+    <name>fenestra::viewer::ArchiveDock</name>
+    <message>
+        <source>Archive</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>fenestra::viewer::ArchiveModel</name>
+    <message>
+        <source>Patient %1</source>
+        <translation type="unfinished">患者 %1</translation>
+    </message>
+    <message>
+        <source>No name</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Study %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Series %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Born %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sex %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Accession number %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Study ID %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Part of the body: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Protocol: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Patient, study</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Date</source>
+        <translation type="unfinished">日期</translation>
+    </message>
+    <message>
+        <source>Type</source>
+        <translation type="unfinished">类型</translation>
+    </message>
+    <message>
+        <source>Images</source>
+        <translation type="unfinished">图像数</translation>
+    </message>
+</context>
+<context>
+    <name>fenestra::viewer::ArchivePanel</name>
+    <message>
+        <source>No server is entered, so nothing goes over the network. Add the archive server (PACS) that holds your studies; its administrator knows what to enter.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Searching…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cancelled.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The archive server that is asked</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Test</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Asks the server whether it answers (echo), and says what is wrong</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Servers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Add, edit and remove servers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Add a server…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Edit…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation type="unfinished">移除</translation>
+    </message>
+    <message>
+        <source>Remove the server</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Remove %1?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Images</source>
+        <translation type="unfinished">图像数</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation type="unfinished">打开</translation>
+    </message>
+    <message>
+        <source>Retrieves the study or series, and opens it once it is whole (double-click, or drag onto a view)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Retrieve</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fetches what is selected into the cache, to be opened later</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>More…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Asks for more of the studies that match</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Asking %1…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 answers, in %2 ms.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing matches. Check the spelling; an asterisk stands for any text, as in *jane*.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Studies: %1, of patients: %2.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There are more: narrow the search, or ask for more.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The server does not match by some of the fields.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -3660,7 +3924,7 @@ Cosine of the angle to the nearest of the six</source>
         <translation>已开口至焦点</translation>
     </message>
     <message>
-        <source>The context's edges are switched off</source>
+        <source>The context&apos;s edges are switched off</source>
         <translation>周围组织边缘已关闭</translation>
     </message>
     <message>
@@ -3700,7 +3964,7 @@ Cosine of the angle to the nearest of the six</source>
         <translation>方法</translation>
     </message>
     <message>
-        <source>Context's edges</source>
+        <source>Context&apos;s edges</source>
         <translation>周围组织边缘</translation>
     </message>
     <message>
@@ -3776,6 +4040,45 @@ Cosine of the angle to the nearest of the six</source>
     </message>
 </context>
 <context>
+    <name>fenestra::viewer::CacheRow</name>
+    <message>
+        <source>Move…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Chooses where objects are kept from now on; those of before stay where they are</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keep objects of archives in</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Clear</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Removes all objects that were retrieved; not while some come in</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Remove all objects that were retrieved? The servers still have them, but sessions that refer to them find their data no more.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Clears…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Counts…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 in %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>fenestra::viewer::CamerasPanel</name>
     <message>
         <source>Place cameras</source>
@@ -3790,7 +4093,7 @@ Cosine of the angle to the nearest of the six</source>
         <translation>寻找焦点的最佳视角及其互补视角 (F5)</translation>
     </message>
     <message>
-        <source>The two views see &lt;b&gt;%1 %&lt;/b&gt; of the focus's surface</source>
+        <source>The two views see &lt;b&gt;%1 %&lt;/b&gt; of the focus&apos;s surface</source>
         <translation>两个视图共可见焦点表面的 &lt;b&gt;%1 %&lt;/b&gt;</translation>
     </message>
     <message>
@@ -3895,11 +4198,11 @@ Cosine of the angle to the nearest of the six</source>
         <translation>I – S</translation>
     </message>
     <message>
-        <source>The patient's right end of the box</source>
+        <source>The patient&apos;s right end of the box</source>
         <translation>裁剪框的患者右侧端</translation>
     </message>
     <message>
-        <source>The patient's left end of the box</source>
+        <source>The patient&apos;s left end of the box</source>
         <translation>裁剪框的患者左侧端</translation>
     </message>
     <message>
@@ -3919,7 +4222,7 @@ Cosine of the angle to the nearest of the six</source>
         <translation>裁剪框的上端</translation>
     </message>
     <message>
-        <source>Drag a plane's square to move it, and the ball at its arrow to tilt it, in any view</source>
+        <source>Drag a plane&apos;s square to move it, and the ball at its arrow to tilt it, in any view</source>
         <translation>在任一视图中拖动平面的方块可移动平面，拖动箭头处的球可倾斜平面</translation>
     </message>
     <message>
@@ -3943,7 +4246,7 @@ Cosine of the angle to the nearest of the six</source>
         <translation>朝向相机 C1</translation>
     </message>
     <message>
-        <source>3-D pictures show only the inside of a box along the volume's axes</source>
+        <source>3-D pictures show only the inside of a box along the volume&apos;s axes</source>
         <translation>三维图像仅显示沿体数据轴向的长方体内部</translation>
     </message>
     <message>
@@ -4025,7 +4328,7 @@ Cosine of the angle to the nearest of the six</source>
         <translation>外观</translation>
     </message>
     <message>
-        <source>Smooth edges, by several rays a pixel, are the adaptive cutaway's alone</source>
+        <source>Smooth edges, by several rays a pixel, are the adaptive cutaway&apos;s alone</source>
         <translation>平滑边缘（每像素多条光线）仅用于自适应剖切</translation>
     </message>
     <message>
@@ -4047,6 +4350,17 @@ Cosine of the angle to the nearest of the six</source>
     <message>
         <source>This method has no line: it cuts nothing away</source>
         <translation>此方法没有线条：它不切除任何组织</translation>
+    </message>
+</context>
+<context>
+    <name>fenestra::viewer::DockFolding</name>
+    <message>
+        <source>Fold %1</source>
+        <translation>折叠%1</translation>
+    </message>
+    <message>
+        <source>Folds this panel to its title, so that those above have more room</source>
+        <translation>将此面板折叠为标题，为上方面板腾出空间</translation>
     </message>
 </context>
 <context>
@@ -4289,6 +4603,132 @@ Cosine of the angle to the nearest of the six</source>
     </message>
 </context>
 <context>
+    <name>fenestra::viewer::KeyBindings</name>
+    <message>
+        <source>It is not JSON, from character %1 on: %2.</source>
+        <translation>从第 %1 个字符起不是 JSON：%2。</translation>
+    </message>
+    <message>
+        <source>It does not hold Fenestra&apos;s keys: choose a file that Export in this dialog wrote.</source>
+        <translation>其中不含 Fenestra 的按键：请选择由此对话框“导出”写出的文件。</translation>
+    </message>
+    <message>
+        <source>It was written by a newer version of Fenestra.</source>
+        <translation>它由更新版本的 Fenestra 写出。</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot;, of &quot;%2&quot;, is no key.</source>
+        <translation>“%2”的“%1”不是按键。</translation>
+    </message>
+    <message>
+        <source>%1, of &quot;%2&quot;, is a key of the views.</source>
+        <translation>“%2”的 %1 是视图的按键。</translation>
+    </message>
+    <message>
+        <source>%1 is the key of both &quot;%2&quot; and &quot;%3&quot;.</source>
+        <translation>%1 同时是“%2”和“%3”的按键。</translation>
+    </message>
+</context>
+<context>
+    <name>fenestra::viewer::KeysDialog</name>
+    <message>
+        <source>Change keys</source>
+        <translation>更改按键</translation>
+    </message>
+    <message>
+        <source>Show entries with these words or keys</source>
+        <translation>显示含这些词或按键的条目</translation>
+    </message>
+    <message>
+        <source>Menu</source>
+        <translation>菜单</translation>
+    </message>
+    <message>
+        <source>Entry</source>
+        <translation>条目</translation>
+    </message>
+    <message>
+        <source>Keys</source>
+        <translation>按键</translation>
+    </message>
+    <message>
+        <source>&amp;Take it</source>
+        <translation>采用(&amp;T)</translation>
+    </message>
+    <message>
+        <source>Gives the key to this entry, and the other one loses it</source>
+        <translation>将按键给此条目，另一条目失去它</translation>
+    </message>
+    <message>
+        <source>&amp;No key</source>
+        <translation>无按键(&amp;N)</translation>
+    </message>
+    <message>
+        <source>As it &amp;was</source>
+        <translation>恢复默认(&amp;W)</translation>
+    </message>
+    <message>
+        <source>The key that the entry comes with</source>
+        <translation>条目的默认按键</translation>
+    </message>
+    <message>
+        <source>&amp;Key</source>
+        <translation>按键(&amp;K)</translation>
+    </message>
+    <message>
+        <source>&amp;All as they were</source>
+        <translation>全部恢复默认(&amp;A)</translation>
+    </message>
+    <message>
+        <source>&amp;Export…</source>
+        <translation>导出(&amp;E)…</translation>
+    </message>
+    <message>
+        <source>&amp;Import…</source>
+        <translation>导入(&amp;I)…</translation>
+    </message>
+    <message>
+        <source>Click into the box and press the key. Changed keys are bold.</source>
+        <translation>单击框内并按下按键。更改过的按键以粗体显示。</translation>
+    </message>
+    <message>
+        <source>%1 is a key of the views: no entry can have it.</source>
+        <translation>%1 是视图的按键：条目不能使用。</translation>
+    </message>
+    <message>
+        <source>%1 is the key of %2 → %3. Take it?</source>
+        <translation>%1 是 %2 → %3 的按键。是否采用？</translation>
+    </message>
+    <message>
+        <source>Export keys</source>
+        <translation>导出按键</translation>
+    </message>
+    <message>
+        <source>Written to %1.</source>
+        <translation>已写入 %1。</translation>
+    </message>
+    <message>
+        <source>%1 cannot be written: %2. Choose another folder.</source>
+        <translation>无法写入 %1：%2。请选择其他文件夹。</translation>
+    </message>
+    <message>
+        <source>Import keys</source>
+        <translation>导入按键</translation>
+    </message>
+    <message>
+        <source>Keys (*.json);;All files (*)</source>
+        <translation>按键 (*.json);;所有文件 (*)</translation>
+    </message>
+    <message>
+        <source>%1 cannot be read: %2.</source>
+        <translation>无法读取 %1：%2。</translation>
+    </message>
+    <message>
+        <source>Taken over from %1.</source>
+        <translation>已从 %1 采用。</translation>
+    </message>
+</context>
+<context>
     <name>fenestra::viewer::LabelEditPanel</name>
     <message>
         <source>Grow</source>
@@ -4357,7 +4797,7 @@ Cosine of the angle to the nearest of the six</source>
 <context>
     <name>fenestra::viewer::LabelList</name>
     <message>
-        <source>No structure's name has these words.</source>
+        <source>No structure&apos;s name has these words.</source>
         <translation>没有名称包含这些词的结构。</translation>
     </message>
     <message>
@@ -4397,7 +4837,7 @@ Cosine of the angle to the nearest of the six</source>
         <translation>颜色…</translation>
     </message>
     <message>
-        <source>The label map's own colour</source>
+        <source>The label map&apos;s own colour</source>
         <translation>标签图自带的颜色</translation>
     </message>
     <message>
@@ -4450,7 +4890,8 @@ Cosine of the angle to the nearest of the six</source>
     <message numerus="yes">
         <source>%n label(s) without voxels</source>
         <translation>
-            <numerusform>%n 个标签没有体素</numerusform></translation>
+            <numerusform>%n 个标签没有体素</numerusform>
+        </translation>
     </message>
     <message>
         <source>Structure</source>
@@ -4551,7 +4992,8 @@ Cosine of the angle to the nearest of the six</source>
     <message numerus="yes">
         <source>%n more</source>
         <translation>
-            <numerusform>另外 %n 项</numerusform></translation>
+            <numerusform>另外 %n 项</numerusform>
+        </translation>
     </message>
     <message>
         <source>Dismiss</source>
@@ -4767,7 +5209,8 @@ A point clicked on a slice: a click there turns both views to the structure at t
     <message numerus="yes">
         <source>%n views</source>
         <translation>
-            <numerusform>%n 个视角</numerusform></translation>
+            <numerusform>%n 个视角</numerusform>
+        </translation>
     </message>
     <message>
         <source>Finer near the best</source>
@@ -4787,7 +5230,7 @@ A point clicked on a slice: a click there turns both views to the structure at t
     </message>
     <message>
         <source>Where the second view may be, always 60° to 120° from the first.
-To its right: the half sphere c2·a ≥ 0 around the first view's right axis a. All around: the band |c1·c2| ≤ sin δ</source>
+To its right: the half sphere c2·a ≥ 0 around the first view&apos;s right axis a. All around: the band |c1·c2| ≤ sin δ</source>
         <translation>第二视角的允许位置，始终与第一视角相差 60° 至 120°。
 其右侧：以第一视角右轴 a 为中心的半球 c2·a ≥ 0。全周：带状区 |c1·c2| ≤ sin δ</translation>
     </message>
@@ -4800,7 +5243,7 @@ To its right: the half sphere c2·a ≥ 0 around the first view's right axis a. 
         <translation>δ：第二视角可偏离与第一视角垂直方向的程度</translation>
     </message>
     <message>
-        <source>Choose the two views that together see most of the focus's surface.
+        <source>Choose the two views that together see most of the focus&apos;s surface.
 Off: first the best view, then the best one beside it</source>
         <translation>选择共同可见焦点表面最多的两个视角。
 关闭：先取最佳视角，再取其旁的最佳视角</translation>
@@ -4865,11 +5308,11 @@ Off: first the best view, then the best one beside it</source>
         <translation>导出预设</translation>
     </message>
     <message>
-        <source>There is a preset "%1". Replace it?</source>
+        <source>There is a preset &quot;%1&quot;. Replace it?</source>
         <translation>已有预设“%1”。是否替换？</translation>
     </message>
     <message>
-        <source>Delete the preset "%1"?</source>
+        <source>Delete the preset &quot;%1&quot;?</source>
         <translation>删除预设“%1”？</translation>
     </message>
     <message>
@@ -5024,74 +5467,467 @@ Off: first the best view, then the best one beside it</source>
     </message>
 </context>
 <context>
-    <name>fenestra::viewer::SeriesChooser</name>
+    <name>fenestra::viewer::RetrievalRow</name>
     <message>
-        <source>%1 time point %2 of %3</source>
-        <translation>%1 时间点 %2 / %3</translation>
+        <source>Pause</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1 mm</source>
-        <translation>%L1 mm</translation>
+        <source>Go on</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>every %1</source>
-        <translation>间距 %1</translation>
+        <source>Retry</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1, every %2</source>
-        <translation>%1，间距 %2</translation>
+        <source>Open</source>
+        <translation type="unfinished">打开</translation>
     </message>
     <message>
-        <source>Patient %1</source>
-        <translation>患者 %1</translation>
+        <source>Waits for others</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Picture</source>
-        <translation>图像</translation>
+        <source>Stops…</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Patient</source>
-        <translation>患者</translation>
+        <source>Paused; what came is kept</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>No.</source>
-        <translation>编号</translation>
+        <source>Whole</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Type</source>
-        <translation>类型</translation>
+        <source>Cancels it, and takes it out of the list. What came stays in the cache</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Retrieval %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>fenestra::viewer::Retrievals</name>
+    <message>
+        <source>The server needs a login.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Its server is no longer in the list.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>fenestra::viewer::SearchForm</name>
+    <message>
+        <source>Search</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Asks the server for the studies that match. Empty fields match all (Return)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Saved searches</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Searches under a name. A patient&apos;s name, ID and accession number are not saved</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation type="unfinished">名称</translation>
+    </message>
+    <message>
+        <source>ID</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Accession</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Date</source>
-        <translation>日期</translation>
+        <translation type="unfinished">日期</translation>
+    </message>
+    <message>
+        <source>Type</source>
+        <translation type="unfinished">类型</translation>
     </message>
     <message>
         <source>Description</source>
-        <translation>描述</translation>
+        <translation type="unfinished">描述</translation>
     </message>
     <message>
-        <source>Part</source>
-        <translation>部分</translation>
+        <source>An asterisk stands for any text, a question mark for one character</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Thickness</source>
-        <translation>厚度</translation>
+        <source>Family name, or &quot;Doe, Jane&quot;: all names that begin so. %1, as in *jane*</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Kernel</source>
-        <translation>卷积核</translation>
+        <source>The patient&apos;s ID as it is. %1, as in 47*</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Size</source>
-        <translation>大小</translation>
+        <source>The accession number as it is. %1, as in A2024*</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Images</source>
-        <translation>图像数</translation>
+        <source>All descriptions of studies that hold this text. %1, as in head*</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Choose a series</source>
-        <translation>选择序列</translation>
+        <source>The kind of images that the study holds</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Any</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>When the study was made</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Today</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Last 7 days</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Last 30 days</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Last 365 days</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>From … to</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>First day</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Last day</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation type="unfinished">取消</translation>
+    </message>
+    <message>
+        <source>Save this search…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save this search</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Its name (date, type and description are saved, nothing of a patient):</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Forget</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>fenestra::viewer::SendDialog</name>
+    <message>
+        <source>Nothing is open.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What is open is not DICOM, and archives keep nothing else.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Send to an archive</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Object</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Answer of the server</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Send</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The server that gets the objects</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The open series, images: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Its files as they are</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>All labels, as a DICOM segmentation</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>With their names and colours, for the patient and the series that are open</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The objects hold the patient&apos;s name and ID: an archive files them by these.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Server</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Image %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Labels</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>accepted</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>refused</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Accepted: %1 of %2.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>fenestra::viewer::SeriesPanel</name>
+    <message>
+        <source>Series</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Patient %1</source>
+        <translation type="unfinished">患者 %1</translation>
+    </message>
+    <message>
+        <source>Patient without a name</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>1 image</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n images</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1, open</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>fenestra::viewer::ServerDialog</name>
+    <message>
+        <source>Archive server</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>As you call it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>DICOM</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>DICOM over TLS</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>DICOMweb</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What the server speaks; its administrator knows</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation type="unfinished">名称</translation>
+    </message>
+    <message>
+        <source>Speaks</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Its name or address in the network</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The port that it listens on</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Its AE title, at most 16 letters and digits</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Our AE title: its administrator enters it at the server</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>C-GET, over our connection</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>C-MOVE, the server connects to us</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How objects come. C-GET needs nothing more; with C-MOVE our address and port are entered at the server, and the port is open while objects come</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Address of this machine that the server sends to</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Port of this machine that the server sends to</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Host</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Port</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Its AE title</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Our AE title</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Retrieve by</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Our address</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Our port</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The address of DICOMweb&apos;s root. A login goes out over https alone</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>User and password</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Token</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The password or token is asked for when it is needed, and forgotten when the program ends</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Who you are to the server</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Address</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Login</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>User</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Certificates that may sign the server&apos;s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Certificates in PEM that may sign the server&apos;s, or its own</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Our certificate</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>In PEM, where the server asks for one</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The key of our certificate</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>In PEM, without a passphrase</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Trusted certificates</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Its key</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose the file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Certificates and keys (*.pem *.crt *.cer *.key);;All files (*)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Token for %1:</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Password of %1 for %2:</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -5113,11 +5949,11 @@ Off: first the best view, then the best one beside it</source>
         <translation>数据现在在哪里？</translation>
     </message>
     <message>
-        <source>The session's label map is needed.</source>
+        <source>The session&apos;s label map is needed.</source>
         <translation>需要会话的标签图。</translation>
     </message>
     <message>
-        <source>The session's volume is needed.</source>
+        <source>The session&apos;s volume is needed.</source>
         <translation>需要会话的体数据。</translation>
     </message>
     <message>
@@ -5133,7 +5969,7 @@ Off: first the best view, then the best one beside it</source>
         <translation>数据</translation>
     </message>
     <message>
-        <source>The data's folder</source>
+        <source>The data&apos;s folder</source>
         <translation>数据文件夹</translation>
     </message>
     <message>
@@ -5163,7 +5999,8 @@ Off: first the best view, then the best one beside it</source>
     <message numerus="yes">
         <source>%n more</source>
         <translation>
-            <numerusform>另外 %n 项</numerusform></translation>
+            <numerusform>另外 %n 项</numerusform>
+        </translation>
     </message>
     <message>
         <source>Save the session</source>
@@ -5412,12 +6249,14 @@ Off: first the best view, then the best one beside it</source>
     <message numerus="yes">
         <source>There are %n time points here; this is number %1.</source>
         <translation>
-            <numerusform>此处有 %n 个时间点；当前为第 %1 个。</numerusform></translation>
+            <numerusform>此处有 %n 个时间点；当前为第 %1 个。</numerusform>
+        </translation>
     </message>
     <message numerus="yes">
         <source>There are %n series here; open is %1.</source>
         <translation>
-            <numerusform>此处有 %n 个序列；已打开 %1。</numerusform></translation>
+            <numerusform>此处有 %n 个序列；已打开 %1。</numerusform>
+        </translation>
     </message>
     <message>
         <source>Choose…</source>
@@ -5434,7 +6273,8 @@ Off: first the best view, then the best one beside it</source>
     <message numerus="yes">
         <source>%n segmentations of this series lie beside it.</source>
         <translation>
-            <numerusform>旁边有此序列的 %n 个分割。</numerusform></translation>
+            <numerusform>旁边有此序列的 %n 个分割。</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -5444,7 +6284,7 @@ Off: first the best view, then the best one beside it</source>
         <translation>%L1 ml</translation>
     </message>
     <message>
-        <source>The region's volume against its tolerance, both logarithmic. A cliff is a leak; green marks where the region hardly changes</source>
+        <source>The region&apos;s volume against its tolerance, both logarithmic. A cliff is a leak; green marks where the region hardly changes</source>
         <translation>区域体积随容差的变化（均为对数）。陡崖表示泄漏；绿色表示区域几乎不变</translation>
     </message>
 </context>
@@ -5667,18 +6507,6 @@ Off: first the best view, then the best one beside it</source>
 
 %1
 
-The slices below work without it.</source>
-        <translation>此处无法使用三维视图。
-
-%1
-
-下方的层面不受影响。</translation>
-    </message>
-    <message>
-        <source>3-D views are not available here.
-
-%1
-
 The slices work without it.</source>
         <translation>此处无法使用三维视图。
 
@@ -5787,7 +6615,7 @@ The slices work without it.</source>
         <translation>内置体模</translation>
     </message>
     <message>
-        <source>Bodies made of simple shapes, with every structure labelled. Nobody's data: try everything on them.</source>
+        <source>Bodies made of simple shapes, with every structure labelled. Nobody&apos;s data: try everything on them.</source>
         <translation>由简单形状构成的人体，每个结构都有标签。不是任何人的数据：可随意尝试。</translation>
     </message>
     <message>
@@ -5848,263 +6676,6 @@ The slices work without it.</source>
     <message>
         <source>&amp;Level</source>
         <translation>窗位(&amp;L)</translation>
-    </message>
-</context>
-<context>
-    <name>PlaneMenu</name>
-    <message>
-        <source>Slab of the %1 slice</source>
-        <translation>%1层面的厚层</translation>
-    </message>
-    <message>
-        <source>Thickness in mm, half of it to each side; 0 is the slice alone:</source>
-        <translation>厚度 (mm)，两侧各一半；0 为单个层面：</translation>
-    </message>
-    <message>
-        <source>Off: the slice alone</source>
-        <translation>关：单个层面</translation>
-    </message>
-    <message>
-        <source>%1 mm</source>
-        <translation>%L1 mm</translation>
-    </message>
-    <message>
-        <source>Other: %1 mm…</source>
-        <translation>其他：%1 mm…</translation>
-    </message>
-    <message>
-        <source>Other…</source>
-        <translation>其他…</translation>
-    </message>
-    <message>
-        <source>Maximum (MIP)</source>
-        <translation>最大值 (MIP)</translation>
-    </message>
-    <message>
-        <source>Minimum (MinIP)</source>
-        <translation>最小值 (MinIP)</translation>
-    </message>
-    <message>
-        <source>Mean</source>
-        <translation>均值</translation>
-    </message>
-    <message>
-        <source>All slices as this one</source>
-        <translation>所有层面同此</translation>
-    </message>
-    <message>
-        <source>Slice faces C1</source>
-        <translation>层面朝向 C1</translation>
-    </message>
-    <message>
-        <source>Slice faces C2</source>
-        <translation>层面朝向 C2</translation>
-    </message>
-    <message>
-        <source>Slab</source>
-        <translation>厚层</translation>
-    </message>
-    <message>
-        <source>Reset this slice's plane</source>
-        <translation>重置此层面的平面</translation>
-    </message>
-    <message>
-        <source>Reset all planes</source>
-        <translation>重置全部平面</translation>
-    </message>
-</context>
-<context>
-    <name>PlaneTool</name>
-    <message>
-        <source>%1°</source>
-        <translation>%L1°</translation>
-    </message>
-</context>
-<context>
-    <name>Slab</name>
-    <message>
-        <source>MIP</source>
-        <translation>MIP</translation>
-    </message>
-    <message>
-        <source>MinIP</source>
-        <translation>MinIP</translation>
-    </message>
-    <message>
-        <source>Mean</source>
-        <translation>均值</translation>
-    </message>
-    <message>
-        <source>%1 %2 mm</source>
-        <translation>%1 %L2 mm</translation>
-    </message>
-</context>
-<context>
-    <name>ViewArea</name>
-    <message>
-        <source>&amp;Five views</source>
-        <translation>五个视图(&amp;F)</translation>
-    </message>
-    <message>
-        <source>C&amp;1 and C2</source>
-        <translation>C1 与 C2(&amp;1)</translation>
-    </message>
-    <message>
-        <source>&amp;3-D large, three slices</source>
-        <translation>大三维视图加三个层面(&amp;3)</translation>
-    </message>
-    <message>
-        <source>&amp;Slices alone</source>
-        <translation>仅层面(&amp;S)</translation>
-    </message>
-    <message>
-        <source>&amp;Axial large</source>
-        <translation>大轴位(&amp;A)</translation>
-    </message>
-    <message>
-        <source>F&amp;our: C1 and slices</source>
-        <translation>四格(&amp;O)：C1 与层面</translation>
-    </message>
-    <message>
-        <source>C1 &amp;beside axial</source>
-        <translation>C1 与轴位并列(&amp;B)</translation>
-    </message>
-</context>
-<context>
-    <name>fenestra::viewer::DockFolding</name>
-    <message>
-        <source>Fold %1</source>
-        <translation>折叠%1</translation>
-    </message>
-    <message>
-        <source>Folds this panel to its title, so that those above have more room</source>
-        <translation>将此面板折叠为标题，为上方面板腾出空间</translation>
-    </message>
-</context>
-<context>
-    <name>fenestra::viewer::KeyBindings</name>
-    <message>
-        <source>It is not JSON, from character %1 on: %2.</source>
-        <translation>从第 %1 个字符起不是 JSON：%2。</translation>
-    </message>
-    <message>
-        <source>It does not hold Fenestra's keys: choose a file that Export in this dialog wrote.</source>
-        <translation>其中不含 Fenestra 的按键：请选择由此对话框“导出”写出的文件。</translation>
-    </message>
-    <message>
-        <source>It was written by a newer version of Fenestra.</source>
-        <translation>它由更新版本的 Fenestra 写出。</translation>
-    </message>
-    <message>
-        <source>"%1", of "%2", is no key.</source>
-        <translation>“%2”的“%1”不是按键。</translation>
-    </message>
-    <message>
-        <source>%1, of "%2", is a key of the views.</source>
-        <translation>“%2”的 %1 是视图的按键。</translation>
-    </message>
-    <message>
-        <source>%1 is the key of both "%2" and "%3".</source>
-        <translation>%1 同时是“%2”和“%3”的按键。</translation>
-    </message>
-</context>
-<context>
-    <name>fenestra::viewer::KeysDialog</name>
-    <message>
-        <source>Change keys</source>
-        <translation>更改按键</translation>
-    </message>
-    <message>
-        <source>Show entries with these words or keys</source>
-        <translation>显示含这些词或按键的条目</translation>
-    </message>
-    <message>
-        <source>Menu</source>
-        <translation>菜单</translation>
-    </message>
-    <message>
-        <source>Entry</source>
-        <translation>条目</translation>
-    </message>
-    <message>
-        <source>Keys</source>
-        <translation>按键</translation>
-    </message>
-    <message>
-        <source>&amp;Take it</source>
-        <translation>采用(&amp;T)</translation>
-    </message>
-    <message>
-        <source>Gives the key to this entry, and the other one loses it</source>
-        <translation>将按键给此条目，另一条目失去它</translation>
-    </message>
-    <message>
-        <source>&amp;No key</source>
-        <translation>无按键(&amp;N)</translation>
-    </message>
-    <message>
-        <source>As it &amp;was</source>
-        <translation>恢复默认(&amp;W)</translation>
-    </message>
-    <message>
-        <source>The key that the entry comes with</source>
-        <translation>条目的默认按键</translation>
-    </message>
-    <message>
-        <source>&amp;Key</source>
-        <translation>按键(&amp;K)</translation>
-    </message>
-    <message>
-        <source>&amp;All as they were</source>
-        <translation>全部恢复默认(&amp;A)</translation>
-    </message>
-    <message>
-        <source>&amp;Export…</source>
-        <translation>导出(&amp;E)…</translation>
-    </message>
-    <message>
-        <source>&amp;Import…</source>
-        <translation>导入(&amp;I)…</translation>
-    </message>
-    <message>
-        <source>Click into the box and press the key. Changed keys are bold.</source>
-        <translation>单击框内并按下按键。更改过的按键以粗体显示。</translation>
-    </message>
-    <message>
-        <source>%1 is a key of the views: no entry can have it.</source>
-        <translation>%1 是视图的按键：条目不能使用。</translation>
-    </message>
-    <message>
-        <source>%1 is the key of %2 → %3. Take it?</source>
-        <translation>%1 是 %2 → %3 的按键。是否采用？</translation>
-    </message>
-    <message>
-        <source>Export keys</source>
-        <translation>导出按键</translation>
-    </message>
-    <message>
-        <source>Written to %1.</source>
-        <translation>已写入 %1。</translation>
-    </message>
-    <message>
-        <source>%1 cannot be written: %2. Choose another folder.</source>
-        <translation>无法写入 %1：%2。请选择其他文件夹。</translation>
-    </message>
-    <message>
-        <source>Import keys</source>
-        <translation>导入按键</translation>
-    </message>
-    <message>
-        <source>Keys (*.json);;All files (*)</source>
-        <translation>按键 (*.json);;所有文件 (*)</translation>
-    </message>
-    <message>
-        <source>%1 cannot be read: %2.</source>
-        <translation>无法读取 %1：%2。</translation>
-    </message>
-    <message>
-        <source>Taken over from %1.</source>
-        <translation>已从 %1 采用。</translation>
     </message>
 </context>
 </TS>
