@@ -4,8 +4,10 @@
 #include <sys/stat.h>
 #include <unistd.h>
 #include <cerrno>
+#include <cstdint>
 #include <memory>
 #include <optional>
+#include <utility>
 
 #include "io/base/AtomicFile.h"
 #include "io/deidentify/Cleaner.h"
@@ -19,6 +21,21 @@ namespace fenestra::io::deidentify {
 namespace fs = std::filesystem;
 namespace {
 
+/// Writes the object into a file. Returns what DCMTK says and how many bytes it passed on; of deflated ones none are
+/// counted. Its saveFile() does not tell when a full disk drops the last bytes, as the file is closed.
+std::pair<OFCondition, std::optional<std::uintmax_t>> writeStream(DcmFileFormat& object, E_TransferSyntax syntax,
+                                                                  const fs::path& file) {
+  DcmOutputFileStream stream{OFFilename(file.c_str())};
+  if (!stream.good()) return {stream.status(), {}};
+  DcmWriteCache cache;
+  object.transferInit();
+  const OFCondition written =
+      object.write(stream, syntax, EET_UndefinedLength, &cache, EGL_withoutGL, EPD_noChange, 0, 0, 0, EWM_fileformat);
+  object.transferEnd();
+  if (written.bad() || DcmXfer(syntax).getStreamCompression() != ESC_none) return {written, {}};
+  return {written, static_cast<std::uintmax_t>(stream.tell())};
+}
+
 /// Writes the dataset as it was coded, with a new preamble and meta header. Throws Error.
 void writeObject(std::unique_ptr<DcmDataset> dataset, const fs::path& file, const fs::path& named) {
   const E_TransferSyntax syntax = dataset->getOriginalXfer();
@@ -26,9 +43,8 @@ void writeObject(std::unique_ptr<DcmDataset> dataset, const fs::path& file, cons
   std::error_code failure;
   fs::create_directories(file.parent_path(), failure);
   errno = 0;
-  const OFCondition saved =
-      object.saveFile(OFFilename(file.c_str()), syntax, EET_UndefinedLength, EGL_withoutGL, EPD_noChange);
-  if (saved.good()) return;
+  const auto [saved, bytes] = writeStream(object, syntax, file);
+  if (saved.good() && (!bytes || fs::file_size(file, failure) == *bytes)) return;
   const std::string cause = errno == 0 ? saved.text() : std::generic_category().message(errno);
   throw Error(named, "cannot be written: " + cause, "choose a place with space that can be written to");
 }

@@ -376,11 +376,13 @@ TEST_F(Deidentify, KeepsObjectsOfOneUidApart) {
 }
 
 TEST_F(Deidentify, CleansTheElementsWhoseVrIsUnknown) {
+  // A sequence of unknown VR is coded with implicit VR (PS3.5 6.2.2): tag, length, value.
+  const std::string name = std::string("\x10\x00\x10\x00\x10\x00\x00\x00", 8) + "Mustermann^Erika";
   const fs::path source = folder_ / "in";
   fs::create_directories(source);
   writeEdited(source / "a.dcm", patientSpec(),
               {set(0x00081090, "LO", "Erika"), unknown(0x00100010), unknown(0x00081090), unknown(0x00080018),
-               unknown(0x0020000e), set(0x00081140, "UN", item(element(0x00100010, "PN", "Mustermann^Erika")))});
+               unknown(0x0020000e), set(0x00081140, "UN", item(name))});
   run(source);
   expectNothingPlanted(out_);
   DcmFileFormat object = loaded(filesBelow(out_).front());
