@@ -23,7 +23,6 @@
 #include "viewer/model/Preferences.h"
 #include "viewer/model/Translation.h"
 #include "viewer/model/WayOutText.h"
-#include "viewer/model/WindowPresets.h"
 
 namespace fenestra::viewer::languageTest {
 namespace {
@@ -207,7 +206,6 @@ std::set<std::string> tableTexts() {
     add(std::string(preset.description));
   }
   for (const OpeningLook& look : openingLooks()) add(std::string(look.name));
-  for (const WindowPreset& preset : ctWindowPresets) add(preset.name);
   for (const io::TransferFunctionPreset& preset : io::transferFunctionPresets()) add(std::string(preset.name));
   for (const PreferenceEntry& entry : preferenceTable()) {
     add(entry.name);
