@@ -9,6 +9,10 @@
 #include <optional>
 #include <utility>
 
+#include <dcmtk/config/osconfig.h>
+#include <dcmtk/dcmdata/dcostrmf.h>
+#include <dcmtk/dcmdata/dcwcache.h>
+
 #include "io/base/AtomicFile.h"
 #include "io/deidentify/Cleaner.h"
 #include "io/deidentify/Findings.h"
