@@ -400,23 +400,23 @@
     </message>
     <message>
         <source>What an archive holds</source>
-        <translation type="unfinished"></translation>
+        <translation>Was ein Archiv enthält</translation>
     </message>
     <message>
         <source>Double-click, Return</source>
-        <translation type="unfinished"></translation>
+        <translation>Doppelklick, Eingabe</translation>
     </message>
     <message>
         <source>retrieve the study or series, and open it once it is whole</source>
-        <translation type="unfinished"></translation>
+        <translation>die Studie oder Serie abrufen und öffnen, sobald sie vollständig ist</translation>
     </message>
     <message>
         <source>Drag onto a view</source>
-        <translation type="unfinished"></translation>
+        <translation>Auf eine Ansicht ziehen</translation>
     </message>
     <message>
         <source>retrieve what is selected, and open it once it is whole</source>
-        <translation type="unfinished"></translation>
+        <translation>das Ausgewählte abrufen und öffnen, sobald es vollständig ist</translation>
     </message>
 </context>
 <context>
@@ -848,7 +848,7 @@
     </message>
     <message>
         <source>Series</source>
-        <translation type="unfinished"></translation>
+        <translation>Serien</translation>
     </message>
 </context>
 <context>
@@ -1020,66 +1020,66 @@
     <name>Series</name>
     <message>
         <source>%1 mm</source>
-        <translation type="unfinished">%L1 mm</translation>
+        <translation>%1 mm</translation>
     </message>
     <message>
         <source>every %1</source>
-        <translation type="unfinished">alle %1</translation>
+        <translation>alle %1</translation>
     </message>
     <message>
         <source>%1, every %2</source>
-        <translation type="unfinished">%1, alle %2</translation>
+        <translation>%1, alle %2</translation>
     </message>
     <message>
         <source>time point %1 of %2</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeitpunkt %1 von %2</translation>
     </message>
     <message>
         <source>Series without a name</source>
-        <translation type="unfinished"></translation>
+        <translation>Serie ohne Namen</translation>
     </message>
     <message>
         <source>Series %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Serie %1</translation>
     </message>
     <message>
         <source>Study %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Studie %1</translation>
     </message>
 </context>
 <context>
     <name>ServerEntry</name>
     <message>
         <source>The server&apos;s AE title has 1 to 16 letters and digits; its administrator knows it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der AE-Titel des Servers hat 1 bis 16 Buchstaben und Ziffern; sein Administrator kennt ihn.</translation>
     </message>
     <message>
         <source>Our AE title has 1 to 16 letters and digits; the server must know it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der eigene AE-Titel hat 1 bis 16 Buchstaben und Ziffern; der Server muss ihn kennen.</translation>
     </message>
     <message>
         <source>The host is a name or an address, such as pacs.hospital or 192.168.1.5.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Host ist ein Name oder eine Adresse, etwa pacs.hospital oder 192.168.1.5.</translation>
     </message>
     <message>
         <source>C-MOVE needs a port of ours that is entered at the server.</source>
-        <translation type="unfinished"></translation>
+        <translation>C-MOVE braucht einen eigenen Port, der beim Server eingetragen ist.</translation>
     </message>
     <message>
         <source>TLS needs the file of the certificates that may sign the server&apos;s, in PEM.</source>
-        <translation type="unfinished"></translation>
+        <translation>TLS braucht die PEM-Datei der Zertifikate, die das des Servers signieren dürfen.</translation>
     </message>
     <message>
         <source>Our certificate needs its key, and the key its certificate.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das eigene Zertifikat braucht seinen Schlüssel, und der Schlüssel sein Zertifikat.</translation>
     </message>
     <message>
         <source>The address is that of DICOMweb&apos;s root, such as https://pacs.hospital/dicom-web.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Adresse ist die der DICOMweb-Wurzel, etwa https://pacs.hospital/dicom-web.</translation>
     </message>
     <message>
         <source>A login with a password needs the user&apos;s name.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Anmeldung mit Passwort braucht den Benutzernamen.</translation>
     </message>
 </context>
 <context>
@@ -2718,23 +2718,23 @@ Kosinus des Winkels zur nächsten der sechs</translation>
     </message>
     <message>
         <source>Objects of archives, at most</source>
-        <translation type="unfinished"></translation>
+        <translation>Objekte aus Archiven, höchstens</translation>
     </message>
     <message>
         <source>Disk space for what was retrieved from archive servers: the series used longest ago go first</source>
-        <translation type="unfinished"></translation>
+        <translation>Speicherplatz für das, was von Archivservern abgerufen wurde: die am längsten nicht benutzten Serien gehen zuerst</translation>
     </message>
     <message>
         <source>GB</source>
-        <translation type="unfinished"></translation>
+        <translation>GB</translation>
     </message>
     <message>
         <source>de-identifying</source>
-        <translation type="unfinished"></translation>
+        <translation>wird anonymisiert</translation>
     </message>
     <message>
         <source>listing files</source>
-        <translation type="unfinished"></translation>
+        <translation>Dateien werden aufgelistet</translation>
     </message>
 </context>
 <context>
@@ -3676,23 +3676,23 @@ Kosinus des Winkels zur nächsten der sechs</translation>
     </message>
     <message>
         <source>Send to archi&amp;ve…</source>
-        <translation type="unfinished"></translation>
+        <translation>An ein Archi&amp;v senden…</translation>
     </message>
     <message>
         <source>The open series and its labels, to a server of the panel Archive</source>
-        <translation type="unfinished"></translation>
+        <translation>Die geöffnete Serie und ihre Labels, an einen Server des Bereichs Archiv</translation>
     </message>
     <message>
         <source>They are kept in</source>
-        <translation type="unfinished"></translation>
+        <translation>Sie werden aufbewahrt in</translation>
     </message>
     <message>
         <source>V</source>
-        <translation type="unfinished"></translation>
+        <translation>V</translation>
     </message>
     <message>
         <source>Shift+V</source>
-        <translation type="unfinished"></translation>
+        <translation>Shift+V</translation>
     </message>
 </context>
 <context>
@@ -3718,173 +3718,173 @@ Kosinus des Winkels zur nächsten der sechs</translation>
     <name>fenestra::viewer::ArchiveDock</name>
     <message>
         <source>Archive</source>
-        <translation type="unfinished"></translation>
+        <translation>Archiv</translation>
     </message>
 </context>
 <context>
     <name>fenestra::viewer::ArchiveModel</name>
     <message>
         <source>Patient %1</source>
-        <translation type="unfinished">Patient %1</translation>
+        <translation>Patient %1</translation>
     </message>
     <message>
         <source>No name</source>
-        <translation type="unfinished"></translation>
+        <translation>Ohne Namen</translation>
     </message>
     <message>
         <source>Study %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Studie %1</translation>
     </message>
     <message>
         <source>Series %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Serie %1</translation>
     </message>
     <message>
         <source>Born %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Geboren %1</translation>
     </message>
     <message>
         <source>Sex %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Geschlecht %1</translation>
     </message>
     <message>
         <source>Accession number %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Accession-Nummer %1</translation>
     </message>
     <message>
         <source>Study ID %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Studien-ID %1</translation>
     </message>
     <message>
         <source>Part of the body: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Körperteil: %1</translation>
     </message>
     <message>
         <source>Protocol: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Protokoll: %1</translation>
     </message>
     <message>
         <source>Patient, study</source>
-        <translation type="unfinished"></translation>
+        <translation>Patient, Studie</translation>
     </message>
     <message>
         <source>Date</source>
-        <translation type="unfinished">Datum</translation>
+        <translation>Datum</translation>
     </message>
     <message>
         <source>Type</source>
-        <translation type="unfinished">Typ</translation>
+        <translation>Typ</translation>
     </message>
     <message>
         <source>Images</source>
-        <translation type="unfinished">Bilder</translation>
+        <translation>Bilder</translation>
     </message>
 </context>
 <context>
     <name>fenestra::viewer::ArchivePanel</name>
     <message>
         <source>No server is entered, so nothing goes over the network. Add the archive server (PACS) that holds your studies; its administrator knows what to enter.</source>
-        <translation type="unfinished"></translation>
+        <translation>Es ist kein Server eingetragen, deshalb geht nichts über das Netz. Tragen Sie den Archivserver (PACS) ein, der Ihre Studien hat; sein Administrator weiß, was einzutragen ist.</translation>
     </message>
     <message>
         <source>Searching…</source>
-        <translation type="unfinished"></translation>
+        <translation>Suche läuft…</translation>
     </message>
     <message>
         <source>Cancelled.</source>
-        <translation type="unfinished"></translation>
+        <translation>Abgebrochen.</translation>
     </message>
     <message>
         <source>The archive server that is asked</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Archivserver, der gefragt wird</translation>
     </message>
     <message>
         <source>Test</source>
-        <translation type="unfinished"></translation>
+        <translation>Testen</translation>
     </message>
     <message>
         <source>Asks the server whether it answers (echo), and says what is wrong</source>
-        <translation type="unfinished"></translation>
+        <translation>Fragt den Server, ob er antwortet (Echo), und sagt, was nicht stimmt</translation>
     </message>
     <message>
         <source>Servers</source>
-        <translation type="unfinished"></translation>
+        <translation>Server</translation>
     </message>
     <message>
         <source>Add, edit and remove servers</source>
-        <translation type="unfinished"></translation>
+        <translation>Server hinzufügen, bearbeiten und entfernen</translation>
     </message>
     <message>
         <source>Add a server…</source>
-        <translation type="unfinished"></translation>
+        <translation>Server hinzufügen…</translation>
     </message>
     <message>
         <source>Edit…</source>
-        <translation type="unfinished"></translation>
+        <translation>Bearbeiten…</translation>
     </message>
     <message>
         <source>Remove</source>
-        <translation type="unfinished">Entfernen</translation>
+        <translation>Entfernen</translation>
     </message>
     <message>
         <source>Remove the server</source>
-        <translation type="unfinished"></translation>
+        <translation>Den Server entfernen</translation>
     </message>
     <message>
         <source>Remove %1?</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 entfernen?</translation>
     </message>
     <message>
         <source>Images</source>
-        <translation type="unfinished">Bilder</translation>
+        <translation>Bilder</translation>
     </message>
     <message>
         <source>Open</source>
-        <translation type="unfinished">Öffnen</translation>
+        <translation>Öffnen</translation>
     </message>
     <message>
         <source>Retrieves the study or series, and opens it once it is whole (double-click, or drag onto a view)</source>
-        <translation type="unfinished"></translation>
+        <translation>Ruft die Studie oder Serie ab und öffnet sie, sobald sie vollständig ist (Doppelklick, oder auf eine Ansicht ziehen)</translation>
     </message>
     <message>
         <source>Retrieve</source>
-        <translation type="unfinished"></translation>
+        <translation>Abrufen</translation>
     </message>
     <message>
         <source>Fetches what is selected into the cache, to be opened later</source>
-        <translation type="unfinished"></translation>
+        <translation>Holt das Ausgewählte in den Zwischenspeicher, um es später zu öffnen</translation>
     </message>
     <message>
         <source>More…</source>
-        <translation type="unfinished"></translation>
+        <translation>Mehr…</translation>
     </message>
     <message>
         <source>Asks for more of the studies that match</source>
-        <translation type="unfinished"></translation>
+        <translation>Fragt nach weiteren der passenden Studien</translation>
     </message>
     <message>
         <source>Asking %1…</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 wird gefragt…</translation>
     </message>
     <message>
         <source>%1 answers, in %2 ms.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 antwortet, in %2 ms.</translation>
     </message>
     <message>
         <source>Nothing matches. Check the spelling; an asterisk stands for any text, as in *jane*.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nichts passt. Prüfen Sie die Schreibweise; ein Stern steht für beliebigen Text, wie in *jane*.</translation>
     </message>
     <message>
         <source>Studies: %1, of patients: %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>Studien: %1, von Patienten: %2.</translation>
     </message>
     <message>
         <source>There are more: narrow the search, or ask for more.</source>
-        <translation type="unfinished"></translation>
+        <translation>Es gibt mehr: Grenzen Sie die Suche ein, oder fragen Sie nach mehr.</translation>
     </message>
     <message>
         <source>The server does not match by some of the fields.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Server sucht nach einigen der Felder nicht.</translation>
     </message>
 </context>
 <context>
@@ -4044,39 +4044,39 @@ Kosinus des Winkels zur nächsten der sechs</translation>
     <name>fenestra::viewer::CacheRow</name>
     <message>
         <source>Move…</source>
-        <translation type="unfinished"></translation>
+        <translation>Verschieben…</translation>
     </message>
     <message>
         <source>Chooses where objects are kept from now on; those of before stay where they are</source>
-        <translation type="unfinished"></translation>
+        <translation>Wählt, wo Objekte von jetzt an aufbewahrt werden; die früheren bleiben, wo sie sind</translation>
     </message>
     <message>
         <source>Keep objects of archives in</source>
-        <translation type="unfinished"></translation>
+        <translation>Objekte aus Archiven aufbewahren in</translation>
     </message>
     <message>
         <source>Clear</source>
-        <translation type="unfinished"></translation>
+        <translation>Leeren</translation>
     </message>
     <message>
         <source>Removes all objects that were retrieved; not while some come in</source>
-        <translation type="unfinished"></translation>
+        <translation>Entfernt alle abgerufenen Objekte; nicht, solange welche ankommen</translation>
     </message>
     <message>
         <source>Remove all objects that were retrieved? The servers still have them, but sessions that refer to them find their data no more.</source>
-        <translation type="unfinished"></translation>
+        <translation>Alle abgerufenen Objekte entfernen? Die Server haben sie noch, aber Sitzungen, die sich auf sie beziehen, finden ihre Daten nicht mehr.</translation>
     </message>
     <message>
         <source>Clears…</source>
-        <translation type="unfinished"></translation>
+        <translation>Wird geleert…</translation>
     </message>
     <message>
         <source>Counts…</source>
-        <translation type="unfinished"></translation>
+        <translation>Wird gezählt…</translation>
     </message>
     <message>
         <source>%1 in %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 in %2</translation>
     </message>
 </context>
 <context>
@@ -5474,465 +5474,465 @@ Aus: erst die beste Ansicht, dann die beste daneben</translation>
     <name>fenestra::viewer::RetrievalRow</name>
     <message>
         <source>Pause</source>
-        <translation type="unfinished"></translation>
+        <translation>Anhalten</translation>
     </message>
     <message>
         <source>Go on</source>
-        <translation type="unfinished"></translation>
+        <translation>Fortsetzen</translation>
     </message>
     <message>
         <source>Retry</source>
-        <translation type="unfinished"></translation>
+        <translation>Wiederholen</translation>
     </message>
     <message>
         <source>Open</source>
-        <translation type="unfinished">Öffnen</translation>
+        <translation>Öffnen</translation>
     </message>
     <message>
         <source>Waits for others</source>
-        <translation type="unfinished"></translation>
+        <translation>Wartet auf andere</translation>
     </message>
     <message>
         <source>Stops…</source>
-        <translation type="unfinished"></translation>
+        <translation>Hält an…</translation>
     </message>
     <message>
         <source>Paused; what came is kept</source>
-        <translation type="unfinished"></translation>
+        <translation>Angehalten; was ankam, bleibt</translation>
     </message>
     <message>
         <source>Whole</source>
-        <translation type="unfinished"></translation>
+        <translation>Vollständig</translation>
     </message>
     <message>
         <source>Cancels it, and takes it out of the list. What came stays in the cache</source>
-        <translation type="unfinished"></translation>
+        <translation>Bricht ab und nimmt den Abruf aus der Liste. Was ankam, bleibt im Zwischenspeicher</translation>
     </message>
     <message>
         <source>Retrieval %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Abruf %1</translation>
     </message>
 </context>
 <context>
     <name>fenestra::viewer::Retrievals</name>
     <message>
         <source>The server needs a login.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Server verlangt eine Anmeldung.</translation>
     </message>
     <message>
         <source>Its server is no longer in the list.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Server steht nicht mehr in der Liste.</translation>
     </message>
 </context>
 <context>
     <name>fenestra::viewer::SearchForm</name>
     <message>
         <source>Search</source>
-        <translation type="unfinished"></translation>
+        <translation>Suchen</translation>
     </message>
     <message>
         <source>Asks the server for the studies that match. Empty fields match all (Return)</source>
-        <translation type="unfinished"></translation>
+        <translation>Fragt den Server nach passenden Studien. Leere Felder passen auf alle (Eingabe)</translation>
     </message>
     <message>
         <source>Saved searches</source>
-        <translation type="unfinished"></translation>
+        <translation>Gespeicherte Suchen</translation>
     </message>
     <message>
         <source>Searches under a name. A patient&apos;s name, ID and accession number are not saved</source>
-        <translation type="unfinished"></translation>
+        <translation>Suchen unter einem Namen. Name, ID und Accession-Nummer eines Patienten werden nicht gespeichert</translation>
     </message>
     <message>
         <source>Name</source>
-        <translation type="unfinished">Name</translation>
+        <translation>Name</translation>
     </message>
     <message>
         <source>ID</source>
-        <translation type="unfinished"></translation>
+        <translation>ID</translation>
     </message>
     <message>
         <source>Accession</source>
-        <translation type="unfinished"></translation>
+        <translation>Accession</translation>
     </message>
     <message>
         <source>Date</source>
-        <translation type="unfinished">Datum</translation>
+        <translation>Datum</translation>
     </message>
     <message>
         <source>Type</source>
-        <translation type="unfinished">Typ</translation>
+        <translation>Typ</translation>
     </message>
     <message>
         <source>Description</source>
-        <translation type="unfinished">Beschreibung</translation>
+        <translation>Beschreibung</translation>
     </message>
     <message>
         <source>An asterisk stands for any text, a question mark for one character</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Stern steht für beliebigen Text, ein Fragezeichen für ein Zeichen</translation>
     </message>
     <message>
         <source>Family name, or &quot;Doe, Jane&quot;: all names that begin so. %1, as in *jane*</source>
-        <translation type="unfinished"></translation>
+        <translation>Familienname, oder „Doe, Jane“: alle Namen, die so beginnen. %1, wie in *jane*</translation>
     </message>
     <message>
         <source>The patient&apos;s ID as it is. %1, as in 47*</source>
-        <translation type="unfinished"></translation>
+        <translation>Die ID des Patienten, wie sie ist. %1, wie in 47*</translation>
     </message>
     <message>
         <source>The accession number as it is. %1, as in A2024*</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Accession-Nummer, wie sie ist. %1, wie in A2024*</translation>
     </message>
     <message>
         <source>All descriptions of studies that hold this text. %1, as in head*</source>
-        <translation type="unfinished"></translation>
+        <translation>Alle Beschreibungen von Studien mit diesem Text. %1, wie in head*</translation>
     </message>
     <message>
         <source>The kind of images that the study holds</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Art der Bilder, die die Studie enthält</translation>
     </message>
     <message>
         <source>Any</source>
-        <translation type="unfinished"></translation>
+        <translation>Beliebig</translation>
     </message>
     <message>
         <source>When the study was made</source>
-        <translation type="unfinished"></translation>
+        <translation>Wann die Studie gemacht wurde</translation>
     </message>
     <message>
         <source>Today</source>
-        <translation type="unfinished"></translation>
+        <translation>Heute</translation>
     </message>
     <message>
         <source>Last 7 days</source>
-        <translation type="unfinished"></translation>
+        <translation>Letzte 7 Tage</translation>
     </message>
     <message>
         <source>Last 30 days</source>
-        <translation type="unfinished"></translation>
+        <translation>Letzte 30 Tage</translation>
     </message>
     <message>
         <source>Last 365 days</source>
-        <translation type="unfinished"></translation>
+        <translation>Letzte 365 Tage</translation>
     </message>
     <message>
         <source>From … to</source>
-        <translation type="unfinished"></translation>
+        <translation>Von … bis</translation>
     </message>
     <message>
         <source>First day</source>
-        <translation type="unfinished"></translation>
+        <translation>Erster Tag</translation>
     </message>
     <message>
         <source>Last day</source>
-        <translation type="unfinished"></translation>
+        <translation>Letzter Tag</translation>
     </message>
     <message>
         <source>Cancel</source>
-        <translation type="unfinished">Abbrechen</translation>
+        <translation>Abbrechen</translation>
     </message>
     <message>
         <source>Save this search…</source>
-        <translation type="unfinished"></translation>
+        <translation>Diese Suche speichern…</translation>
     </message>
     <message>
         <source>Save this search</source>
-        <translation type="unfinished"></translation>
+        <translation>Diese Suche speichern</translation>
     </message>
     <message>
         <source>Its name (date, type and description are saved, nothing of a patient):</source>
-        <translation type="unfinished"></translation>
+        <translation>Ihr Name (gespeichert werden Datum, Typ und Beschreibung, nichts von einem Patienten):</translation>
     </message>
     <message>
         <source>Forget</source>
-        <translation type="unfinished"></translation>
+        <translation>Vergessen</translation>
     </message>
 </context>
 <context>
     <name>fenestra::viewer::SendDialog</name>
     <message>
         <source>Nothing is open.</source>
-        <translation type="unfinished"></translation>
+        <translation>Es ist nichts geöffnet.</translation>
     </message>
     <message>
         <source>What is open is not DICOM, and archives keep nothing else.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Geöffnete ist kein DICOM, und Archive bewahren nichts anderes auf.</translation>
     </message>
     <message>
         <source>Send to an archive</source>
-        <translation type="unfinished"></translation>
+        <translation>An ein Archiv senden</translation>
     </message>
     <message>
         <source>Object</source>
-        <translation type="unfinished"></translation>
+        <translation>Objekt</translation>
     </message>
     <message>
         <source>Answer of the server</source>
-        <translation type="unfinished"></translation>
+        <translation>Antwort des Servers</translation>
     </message>
     <message>
         <source>Send</source>
-        <translation type="unfinished"></translation>
+        <translation>Senden</translation>
     </message>
     <message>
         <source>The server that gets the objects</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Server, der die Objekte bekommt</translation>
     </message>
     <message>
         <source>The open series, images: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Die geöffnete Serie, Bilder: %1</translation>
     </message>
     <message>
         <source>Its files as they are</source>
-        <translation type="unfinished"></translation>
+        <translation>Ihre Dateien, wie sie sind</translation>
     </message>
     <message>
         <source>All labels, as a DICOM segmentation</source>
-        <translation type="unfinished"></translation>
+        <translation>Alle Labels, als DICOM-Segmentierung</translation>
     </message>
     <message>
         <source>With their names and colours, for the patient and the series that are open</source>
-        <translation type="unfinished"></translation>
+        <translation>Mit ihren Namen und Farben, für den Patienten und die Serie, die geöffnet sind</translation>
     </message>
     <message>
         <source>The objects hold the patient&apos;s name and ID: an archive files them by these.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Objekte enthalten Name und ID des Patienten: Ein Archiv ordnet sie danach ein.</translation>
     </message>
     <message>
         <source>Server</source>
-        <translation type="unfinished"></translation>
+        <translation>Server</translation>
     </message>
     <message>
         <source>Image %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Bild %1</translation>
     </message>
     <message>
         <source>Labels</source>
-        <translation type="unfinished"></translation>
+        <translation>Labels</translation>
     </message>
     <message>
         <source>accepted</source>
-        <translation type="unfinished"></translation>
+        <translation>angenommen</translation>
     </message>
     <message>
         <source>refused</source>
-        <translation type="unfinished"></translation>
+        <translation>abgelehnt</translation>
     </message>
     <message>
         <source>Accepted: %1 of %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>Angenommen: %1 von %2.</translation>
     </message>
 </context>
 <context>
     <name>fenestra::viewer::SeriesPanel</name>
     <message>
         <source>Series</source>
-        <translation type="unfinished"></translation>
+        <translation>Serien</translation>
     </message>
     <message>
         <source>Patient %1</source>
-        <translation type="unfinished">Patient %1</translation>
+        <translation>Patient %1</translation>
     </message>
     <message>
         <source>Patient without a name</source>
-        <translation type="unfinished"></translation>
+        <translation>Patient ohne Namen</translation>
     </message>
     <message>
         <source>1 image</source>
-        <translation type="unfinished"></translation>
+        <translation>1 Bild</translation>
     </message>
     <message numerus="yes">
         <source>%n images</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n Bild</numerusform>
+            <numerusform>%n Bilder</numerusform>
         </translation>
     </message>
     <message>
         <source>%1, open</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, geöffnet</translation>
     </message>
 </context>
 <context>
     <name>fenestra::viewer::ServerDialog</name>
     <message>
         <source>Archive server</source>
-        <translation type="unfinished"></translation>
+        <translation>Archivserver</translation>
     </message>
     <message>
         <source>As you call it</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie Sie ihn nennen</translation>
     </message>
     <message>
         <source>DICOM</source>
-        <translation type="unfinished"></translation>
+        <translation>DICOM</translation>
     </message>
     <message>
         <source>DICOM over TLS</source>
-        <translation type="unfinished"></translation>
+        <translation>DICOM über TLS</translation>
     </message>
     <message>
         <source>DICOMweb</source>
-        <translation type="unfinished"></translation>
+        <translation>DICOMweb</translation>
     </message>
     <message>
         <source>What the server speaks; its administrator knows</source>
-        <translation type="unfinished"></translation>
+        <translation>Was der Server spricht; sein Administrator weiß es</translation>
     </message>
     <message>
         <source>Name</source>
-        <translation type="unfinished">Name</translation>
+        <translation>Name</translation>
     </message>
     <message>
         <source>Speaks</source>
-        <translation type="unfinished"></translation>
+        <translation>Spricht</translation>
     </message>
     <message>
         <source>Its name or address in the network</source>
-        <translation type="unfinished"></translation>
+        <translation>Sein Name oder seine Adresse im Netz</translation>
     </message>
     <message>
         <source>The port that it listens on</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Port, auf dem er antwortet</translation>
     </message>
     <message>
         <source>Its AE title, at most 16 letters and digits</source>
-        <translation type="unfinished"></translation>
+        <translation>Sein AE-Titel, höchstens 16 Buchstaben und Ziffern</translation>
     </message>
     <message>
         <source>Our AE title: its administrator enters it at the server</source>
-        <translation type="unfinished"></translation>
+        <translation>Der eigene AE-Titel: Der Administrator trägt ihn beim Server ein</translation>
     </message>
     <message>
         <source>C-GET, over our connection</source>
-        <translation type="unfinished"></translation>
+        <translation>C-GET, über unsere Verbindung</translation>
     </message>
     <message>
         <source>C-MOVE, the server connects to us</source>
-        <translation type="unfinished"></translation>
+        <translation>C-MOVE, der Server verbindet sich mit uns</translation>
     </message>
     <message>
         <source>How objects come. C-GET needs nothing more; with C-MOVE our address and port are entered at the server, and the port is open while objects come</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie Objekte kommen. C-GET braucht nichts weiter; bei C-MOVE sind eigene Adresse und eigener Port beim Server eingetragen, und der Port ist offen, solange Objekte kommen</translation>
     </message>
     <message>
         <source>Address of this machine that the server sends to</source>
-        <translation type="unfinished"></translation>
+        <translation>Adresse dieses Rechners, an die der Server sendet</translation>
     </message>
     <message>
         <source>Port of this machine that the server sends to</source>
-        <translation type="unfinished"></translation>
+        <translation>Port dieses Rechners, an den der Server sendet</translation>
     </message>
     <message>
         <source>Host</source>
-        <translation type="unfinished"></translation>
+        <translation>Host</translation>
     </message>
     <message>
         <source>Port</source>
-        <translation type="unfinished"></translation>
+        <translation>Port</translation>
     </message>
     <message>
         <source>Its AE title</source>
-        <translation type="unfinished"></translation>
+        <translation>Sein AE-Titel</translation>
     </message>
     <message>
         <source>Our AE title</source>
-        <translation type="unfinished"></translation>
+        <translation>Eigener AE-Titel</translation>
     </message>
     <message>
         <source>Retrieve by</source>
-        <translation type="unfinished"></translation>
+        <translation>Abrufen mit</translation>
     </message>
     <message>
         <source>Our address</source>
-        <translation type="unfinished"></translation>
+        <translation>Eigene Adresse</translation>
     </message>
     <message>
         <source>Our port</source>
-        <translation type="unfinished"></translation>
+        <translation>Eigener Port</translation>
     </message>
     <message>
         <source>The address of DICOMweb&apos;s root. A login goes out over https alone</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Adresse der DICOMweb-Wurzel. Eine Anmeldung geht nur über https hinaus</translation>
     </message>
     <message>
         <source>None</source>
-        <translation type="unfinished"></translation>
+        <translation>Keine</translation>
     </message>
     <message>
         <source>User and password</source>
-        <translation type="unfinished"></translation>
+        <translation>Benutzer und Passwort</translation>
     </message>
     <message>
         <source>Token</source>
-        <translation type="unfinished"></translation>
+        <translation>Token</translation>
     </message>
     <message>
         <source>The password or token is asked for when it is needed, and forgotten when the program ends</source>
-        <translation type="unfinished"></translation>
+        <translation>Nach Passwort oder Token wird gefragt, wenn es gebraucht wird; am Ende des Programms ist es vergessen</translation>
     </message>
     <message>
         <source>Who you are to the server</source>
-        <translation type="unfinished"></translation>
+        <translation>Wer Sie für den Server sind</translation>
     </message>
     <message>
         <source>Address</source>
-        <translation type="unfinished"></translation>
+        <translation>Adresse</translation>
     </message>
     <message>
         <source>Login</source>
-        <translation type="unfinished"></translation>
+        <translation>Anmeldung</translation>
     </message>
     <message>
         <source>User</source>
-        <translation type="unfinished"></translation>
+        <translation>Benutzer</translation>
     </message>
     <message>
         <source>Certificates that may sign the server&apos;s</source>
-        <translation type="unfinished"></translation>
+        <translation>Zertifikate, die das des Servers signieren dürfen</translation>
     </message>
     <message>
         <source>Certificates in PEM that may sign the server&apos;s, or its own</source>
-        <translation type="unfinished"></translation>
+        <translation>Zertifikate in PEM, die das des Servers signieren dürfen, oder sein eigenes</translation>
     </message>
     <message>
         <source>Our certificate</source>
-        <translation type="unfinished"></translation>
+        <translation>Eigenes Zertifikat</translation>
     </message>
     <message>
         <source>In PEM, where the server asks for one</source>
-        <translation type="unfinished"></translation>
+        <translation>In PEM, wenn der Server eines verlangt</translation>
     </message>
     <message>
         <source>The key of our certificate</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Schlüssel des eigenen Zertifikats</translation>
     </message>
     <message>
         <source>In PEM, without a passphrase</source>
-        <translation type="unfinished"></translation>
+        <translation>In PEM, ohne Passphrase</translation>
     </message>
     <message>
         <source>Trusted certificates</source>
-        <translation type="unfinished"></translation>
+        <translation>Vertraute Zertifikate</translation>
     </message>
     <message>
         <source>Its key</source>
-        <translation type="unfinished"></translation>
+        <translation>Dessen Schlüssel</translation>
     </message>
     <message>
         <source>Choose the file</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Datei wählen</translation>
     </message>
     <message>
         <source>Certificates and keys (*.pem *.crt *.cer *.key);;All files (*)</source>
-        <translation type="unfinished"></translation>
+        <translation>Zertifikate und Schlüssel (*.pem *.crt *.cer *.key);;Alle Dateien (*)</translation>
     </message>
     <message>
         <source>Token for %1:</source>
-        <translation type="unfinished"></translation>
+        <translation>Token für %1:</translation>
     </message>
     <message>
         <source>Password of %1 for %2:</source>
-        <translation type="unfinished"></translation>
+        <translation>Passwort von %1 für %2:</translation>
     </message>
 </context>
 <context>

@@ -400,23 +400,23 @@
     </message>
     <message>
         <source>What an archive holds</source>
-        <translation type="unfinished"></translation>
+        <translation>Lo que contiene un archivo</translation>
     </message>
     <message>
         <source>Double-click, Return</source>
-        <translation type="unfinished"></translation>
+        <translation>Doble clic, Intro</translation>
     </message>
     <message>
         <source>retrieve the study or series, and open it once it is whole</source>
-        <translation type="unfinished"></translation>
+        <translation>recuperar el estudio o la serie y abrirlo cuando esté completo</translation>
     </message>
     <message>
         <source>Drag onto a view</source>
-        <translation type="unfinished"></translation>
+        <translation>Arrastrar a una vista</translation>
     </message>
     <message>
         <source>retrieve what is selected, and open it once it is whole</source>
-        <translation type="unfinished"></translation>
+        <translation>recuperar lo seleccionado y abrirlo cuando esté completo</translation>
     </message>
 </context>
 <context>
@@ -848,7 +848,7 @@
     </message>
     <message>
         <source>Series</source>
-        <translation type="unfinished"></translation>
+        <translation>Series</translation>
     </message>
 </context>
 <context>
@@ -1020,66 +1020,66 @@
     <name>Series</name>
     <message>
         <source>%1 mm</source>
-        <translation type="unfinished">%L1 mm</translation>
+        <translation>%1 mm</translation>
     </message>
     <message>
         <source>every %1</source>
-        <translation type="unfinished">cada %1</translation>
+        <translation>cada %1</translation>
     </message>
     <message>
         <source>%1, every %2</source>
-        <translation type="unfinished">%1, cada %2</translation>
+        <translation>%1, cada %2</translation>
     </message>
     <message>
         <source>time point %1 of %2</source>
-        <translation type="unfinished"></translation>
+        <translation>instante %1 de %2</translation>
     </message>
     <message>
         <source>Series without a name</source>
-        <translation type="unfinished"></translation>
+        <translation>Serie sin nombre</translation>
     </message>
     <message>
         <source>Series %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Serie %1</translation>
     </message>
     <message>
         <source>Study %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Estudio %1</translation>
     </message>
 </context>
 <context>
     <name>ServerEntry</name>
     <message>
         <source>The server&apos;s AE title has 1 to 16 letters and digits; its administrator knows it.</source>
-        <translation type="unfinished"></translation>
+        <translation>El título AE del servidor tiene de 1 a 16 letras y cifras; su administrador lo conoce.</translation>
     </message>
     <message>
         <source>Our AE title has 1 to 16 letters and digits; the server must know it.</source>
-        <translation type="unfinished"></translation>
+        <translation>El título AE propio tiene de 1 a 16 letras y cifras; el servidor debe conocerlo.</translation>
     </message>
     <message>
         <source>The host is a name or an address, such as pacs.hospital or 192.168.1.5.</source>
-        <translation type="unfinished"></translation>
+        <translation>El host es un nombre o una dirección, como pacs.hospital o 192.168.1.5.</translation>
     </message>
     <message>
         <source>C-MOVE needs a port of ours that is entered at the server.</source>
-        <translation type="unfinished"></translation>
+        <translation>C-MOVE necesita un puerto propio que esté registrado en el servidor.</translation>
     </message>
     <message>
         <source>TLS needs the file of the certificates that may sign the server&apos;s, in PEM.</source>
-        <translation type="unfinished"></translation>
+        <translation>TLS necesita el archivo PEM de los certificados que pueden firmar el del servidor.</translation>
     </message>
     <message>
         <source>Our certificate needs its key, and the key its certificate.</source>
-        <translation type="unfinished"></translation>
+        <translation>El certificado propio necesita su clave, y la clave su certificado.</translation>
     </message>
     <message>
         <source>The address is that of DICOMweb&apos;s root, such as https://pacs.hospital/dicom-web.</source>
-        <translation type="unfinished"></translation>
+        <translation>La dirección es la de la raíz de DICOMweb, como https://pacs.hospital/dicom-web.</translation>
     </message>
     <message>
         <source>A login with a password needs the user&apos;s name.</source>
-        <translation type="unfinished"></translation>
+        <translation>Un acceso con contraseña necesita el nombre del usuario.</translation>
     </message>
 </context>
 <context>
@@ -2718,23 +2718,23 @@ Coseno del ángulo con la más próxima de las seis</translation>
     </message>
     <message>
         <source>Objects of archives, at most</source>
-        <translation type="unfinished"></translation>
+        <translation>Objetos de archivos, como máximo</translation>
     </message>
     <message>
         <source>Disk space for what was retrieved from archive servers: the series used longest ago go first</source>
-        <translation type="unfinished"></translation>
+        <translation>Espacio en disco para lo recuperado de servidores de archivo: las series que llevan más tiempo sin usarse se van primero</translation>
     </message>
     <message>
         <source>GB</source>
-        <translation type="unfinished"></translation>
+        <translation>GB</translation>
     </message>
     <message>
         <source>de-identifying</source>
-        <translation type="unfinished"></translation>
+        <translation>anonimizando</translation>
     </message>
     <message>
         <source>listing files</source>
-        <translation type="unfinished"></translation>
+        <translation>listando archivos</translation>
     </message>
 </context>
 <context>
@@ -3676,23 +3676,23 @@ Coseno del ángulo con la más próxima de las seis</translation>
     </message>
     <message>
         <source>Send to archi&amp;ve…</source>
-        <translation type="unfinished"></translation>
+        <translation>En&amp;viar al archivo…</translation>
     </message>
     <message>
         <source>The open series and its labels, to a server of the panel Archive</source>
-        <translation type="unfinished"></translation>
+        <translation>La serie abierta y sus etiquetas, a un servidor del panel Archivo</translation>
     </message>
     <message>
         <source>They are kept in</source>
-        <translation type="unfinished"></translation>
+        <translation>Se guardan en</translation>
     </message>
     <message>
         <source>V</source>
-        <translation type="unfinished"></translation>
+        <translation>V</translation>
     </message>
     <message>
         <source>Shift+V</source>
-        <translation type="unfinished"></translation>
+        <translation>Shift+V</translation>
     </message>
 </context>
 <context>
@@ -3718,173 +3718,173 @@ Coseno del ángulo con la más próxima de las seis</translation>
     <name>fenestra::viewer::ArchiveDock</name>
     <message>
         <source>Archive</source>
-        <translation type="unfinished"></translation>
+        <translation>Archivo</translation>
     </message>
 </context>
 <context>
     <name>fenestra::viewer::ArchiveModel</name>
     <message>
         <source>Patient %1</source>
-        <translation type="unfinished">Paciente %1</translation>
+        <translation>Paciente %1</translation>
     </message>
     <message>
         <source>No name</source>
-        <translation type="unfinished"></translation>
+        <translation>Sin nombre</translation>
     </message>
     <message>
         <source>Study %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Estudio %1</translation>
     </message>
     <message>
         <source>Series %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Serie %1</translation>
     </message>
     <message>
         <source>Born %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Nacimiento: %1</translation>
     </message>
     <message>
         <source>Sex %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Sexo: %1</translation>
     </message>
     <message>
         <source>Accession number %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Número de acceso %1</translation>
     </message>
     <message>
         <source>Study ID %1</source>
-        <translation type="unfinished"></translation>
+        <translation>ID del estudio %1</translation>
     </message>
     <message>
         <source>Part of the body: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Parte del cuerpo: %1</translation>
     </message>
     <message>
         <source>Protocol: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Protocolo: %1</translation>
     </message>
     <message>
         <source>Patient, study</source>
-        <translation type="unfinished"></translation>
+        <translation>Paciente, estudio</translation>
     </message>
     <message>
         <source>Date</source>
-        <translation type="unfinished">Fecha</translation>
+        <translation>Fecha</translation>
     </message>
     <message>
         <source>Type</source>
-        <translation type="unfinished">Tipo</translation>
+        <translation>Tipo</translation>
     </message>
     <message>
         <source>Images</source>
-        <translation type="unfinished">Imágenes</translation>
+        <translation>Imágenes</translation>
     </message>
 </context>
 <context>
     <name>fenestra::viewer::ArchivePanel</name>
     <message>
         <source>No server is entered, so nothing goes over the network. Add the archive server (PACS) that holds your studies; its administrator knows what to enter.</source>
-        <translation type="unfinished"></translation>
+        <translation>No hay ningún servidor registrado, así que nada sale a la red. Añada el servidor de archivo (PACS) que tiene sus estudios; su administrador sabe qué introducir.</translation>
     </message>
     <message>
         <source>Searching…</source>
-        <translation type="unfinished"></translation>
+        <translation>Buscando…</translation>
     </message>
     <message>
         <source>Cancelled.</source>
-        <translation type="unfinished"></translation>
+        <translation>Cancelado.</translation>
     </message>
     <message>
         <source>The archive server that is asked</source>
-        <translation type="unfinished"></translation>
+        <translation>El servidor de archivo al que se pregunta</translation>
     </message>
     <message>
         <source>Test</source>
-        <translation type="unfinished"></translation>
+        <translation>Probar</translation>
     </message>
     <message>
         <source>Asks the server whether it answers (echo), and says what is wrong</source>
-        <translation type="unfinished"></translation>
+        <translation>Pregunta al servidor si responde (eco) y dice qué falla</translation>
     </message>
     <message>
         <source>Servers</source>
-        <translation type="unfinished"></translation>
+        <translation>Servidores</translation>
     </message>
     <message>
         <source>Add, edit and remove servers</source>
-        <translation type="unfinished"></translation>
+        <translation>Añadir, editar y quitar servidores</translation>
     </message>
     <message>
         <source>Add a server…</source>
-        <translation type="unfinished"></translation>
+        <translation>Añadir un servidor…</translation>
     </message>
     <message>
         <source>Edit…</source>
-        <translation type="unfinished"></translation>
+        <translation>Editar…</translation>
     </message>
     <message>
         <source>Remove</source>
-        <translation type="unfinished">Quitar</translation>
+        <translation>Quitar</translation>
     </message>
     <message>
         <source>Remove the server</source>
-        <translation type="unfinished"></translation>
+        <translation>Quitar el servidor</translation>
     </message>
     <message>
         <source>Remove %1?</source>
-        <translation type="unfinished"></translation>
+        <translation>¿Quitar %1?</translation>
     </message>
     <message>
         <source>Images</source>
-        <translation type="unfinished">Imágenes</translation>
+        <translation>Imágenes</translation>
     </message>
     <message>
         <source>Open</source>
-        <translation type="unfinished">Abrir</translation>
+        <translation>Abrir</translation>
     </message>
     <message>
         <source>Retrieves the study or series, and opens it once it is whole (double-click, or drag onto a view)</source>
-        <translation type="unfinished"></translation>
+        <translation>Recupera el estudio o la serie y lo abre cuando está completo (doble clic, o arrastrar a una vista)</translation>
     </message>
     <message>
         <source>Retrieve</source>
-        <translation type="unfinished"></translation>
+        <translation>Recuperar</translation>
     </message>
     <message>
         <source>Fetches what is selected into the cache, to be opened later</source>
-        <translation type="unfinished"></translation>
+        <translation>Trae lo seleccionado a la caché, para abrirlo más tarde</translation>
     </message>
     <message>
         <source>More…</source>
-        <translation type="unfinished"></translation>
+        <translation>Más…</translation>
     </message>
     <message>
         <source>Asks for more of the studies that match</source>
-        <translation type="unfinished"></translation>
+        <translation>Pide más de los estudios que coinciden</translation>
     </message>
     <message>
         <source>Asking %1…</source>
-        <translation type="unfinished"></translation>
+        <translation>Preguntando a %1…</translation>
     </message>
     <message>
         <source>%1 answers, in %2 ms.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 responde, en %2 ms.</translation>
     </message>
     <message>
         <source>Nothing matches. Check the spelling; an asterisk stands for any text, as in *jane*.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nada coincide. Compruebe la ortografía; un asterisco representa cualquier texto, como en *jane*.</translation>
     </message>
     <message>
         <source>Studies: %1, of patients: %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>Estudios: %1, de pacientes: %2.</translation>
     </message>
     <message>
         <source>There are more: narrow the search, or ask for more.</source>
-        <translation type="unfinished"></translation>
+        <translation>Hay más: acote la búsqueda o pida más.</translation>
     </message>
     <message>
         <source>The server does not match by some of the fields.</source>
-        <translation type="unfinished"></translation>
+        <translation>El servidor no busca por algunos de los campos.</translation>
     </message>
 </context>
 <context>
@@ -4044,39 +4044,39 @@ Coseno del ángulo con la más próxima de las seis</translation>
     <name>fenestra::viewer::CacheRow</name>
     <message>
         <source>Move…</source>
-        <translation type="unfinished"></translation>
+        <translation>Mover…</translation>
     </message>
     <message>
         <source>Chooses where objects are kept from now on; those of before stay where they are</source>
-        <translation type="unfinished"></translation>
+        <translation>Elige dónde se guardan los objetos desde ahora; los anteriores se quedan donde están</translation>
     </message>
     <message>
         <source>Keep objects of archives in</source>
-        <translation type="unfinished"></translation>
+        <translation>Guardar objetos de archivos en</translation>
     </message>
     <message>
         <source>Clear</source>
-        <translation type="unfinished"></translation>
+        <translation>Vaciar</translation>
     </message>
     <message>
         <source>Removes all objects that were retrieved; not while some come in</source>
-        <translation type="unfinished"></translation>
+        <translation>Elimina todos los objetos recuperados; no mientras llegan algunos</translation>
     </message>
     <message>
         <source>Remove all objects that were retrieved? The servers still have them, but sessions that refer to them find their data no more.</source>
-        <translation type="unfinished"></translation>
+        <translation>¿Eliminar todos los objetos recuperados? Los servidores aún los tienen, pero las sesiones que los usan ya no encontrarán sus datos.</translation>
     </message>
     <message>
         <source>Clears…</source>
-        <translation type="unfinished"></translation>
+        <translation>Vaciando…</translation>
     </message>
     <message>
         <source>Counts…</source>
-        <translation type="unfinished"></translation>
+        <translation>Contando…</translation>
     </message>
     <message>
         <source>%1 in %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 en %2</translation>
     </message>
 </context>
 <context>
@@ -5474,465 +5474,465 @@ Desactivado: primero la mejor vista, luego la mejor junto a ella</translation>
     <name>fenestra::viewer::RetrievalRow</name>
     <message>
         <source>Pause</source>
-        <translation type="unfinished"></translation>
+        <translation>Pausar</translation>
     </message>
     <message>
         <source>Go on</source>
-        <translation type="unfinished"></translation>
+        <translation>Continuar</translation>
     </message>
     <message>
         <source>Retry</source>
-        <translation type="unfinished"></translation>
+        <translation>Reintentar</translation>
     </message>
     <message>
         <source>Open</source>
-        <translation type="unfinished">Abrir</translation>
+        <translation>Abrir</translation>
     </message>
     <message>
         <source>Waits for others</source>
-        <translation type="unfinished"></translation>
+        <translation>Espera a otras</translation>
     </message>
     <message>
         <source>Stops…</source>
-        <translation type="unfinished"></translation>
+        <translation>Deteniendo…</translation>
     </message>
     <message>
         <source>Paused; what came is kept</source>
-        <translation type="unfinished"></translation>
+        <translation>En pausa; lo recibido se conserva</translation>
     </message>
     <message>
         <source>Whole</source>
-        <translation type="unfinished"></translation>
+        <translation>Completa</translation>
     </message>
     <message>
         <source>Cancels it, and takes it out of the list. What came stays in the cache</source>
-        <translation type="unfinished"></translation>
+        <translation>La cancela y la quita de la lista. Lo recibido queda en la caché</translation>
     </message>
     <message>
         <source>Retrieval %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Recuperación %1</translation>
     </message>
 </context>
 <context>
     <name>fenestra::viewer::Retrievals</name>
     <message>
         <source>The server needs a login.</source>
-        <translation type="unfinished"></translation>
+        <translation>El servidor pide un acceso.</translation>
     </message>
     <message>
         <source>Its server is no longer in the list.</source>
-        <translation type="unfinished"></translation>
+        <translation>Su servidor ya no está en la lista.</translation>
     </message>
 </context>
 <context>
     <name>fenestra::viewer::SearchForm</name>
     <message>
         <source>Search</source>
-        <translation type="unfinished"></translation>
+        <translation>Buscar</translation>
     </message>
     <message>
         <source>Asks the server for the studies that match. Empty fields match all (Return)</source>
-        <translation type="unfinished"></translation>
+        <translation>Pide al servidor los estudios que coinciden. Los campos vacíos coinciden con todos (Intro)</translation>
     </message>
     <message>
         <source>Saved searches</source>
-        <translation type="unfinished"></translation>
+        <translation>Búsquedas guardadas</translation>
     </message>
     <message>
         <source>Searches under a name. A patient&apos;s name, ID and accession number are not saved</source>
-        <translation type="unfinished"></translation>
+        <translation>Búsquedas con un nombre. No se guardan el nombre, el ID ni el número de acceso de un paciente</translation>
     </message>
     <message>
         <source>Name</source>
-        <translation type="unfinished">Nombre</translation>
+        <translation>Nombre</translation>
     </message>
     <message>
         <source>ID</source>
-        <translation type="unfinished"></translation>
+        <translation>ID</translation>
     </message>
     <message>
         <source>Accession</source>
-        <translation type="unfinished"></translation>
+        <translation>Acceso</translation>
     </message>
     <message>
         <source>Date</source>
-        <translation type="unfinished">Fecha</translation>
+        <translation>Fecha</translation>
     </message>
     <message>
         <source>Type</source>
-        <translation type="unfinished">Tipo</translation>
+        <translation>Tipo</translation>
     </message>
     <message>
         <source>Description</source>
-        <translation type="unfinished">Descripción</translation>
+        <translation>Descripción</translation>
     </message>
     <message>
         <source>An asterisk stands for any text, a question mark for one character</source>
-        <translation type="unfinished"></translation>
+        <translation>Un asterisco representa cualquier texto; un signo de interrogación, un carácter</translation>
     </message>
     <message>
         <source>Family name, or &quot;Doe, Jane&quot;: all names that begin so. %1, as in *jane*</source>
-        <translation type="unfinished"></translation>
+        <translation>Apellido, o «Doe, Jane»: todos los nombres que empiezan así. %1, como en *jane*</translation>
     </message>
     <message>
         <source>The patient&apos;s ID as it is. %1, as in 47*</source>
-        <translation type="unfinished"></translation>
+        <translation>El ID del paciente tal como es. %1, como en 47*</translation>
     </message>
     <message>
         <source>The accession number as it is. %1, as in A2024*</source>
-        <translation type="unfinished"></translation>
+        <translation>El número de acceso tal como es. %1, como en A2024*</translation>
     </message>
     <message>
         <source>All descriptions of studies that hold this text. %1, as in head*</source>
-        <translation type="unfinished"></translation>
+        <translation>Todas las descripciones de estudios que contienen este texto. %1, como en head*</translation>
     </message>
     <message>
         <source>The kind of images that the study holds</source>
-        <translation type="unfinished"></translation>
+        <translation>El tipo de imágenes que contiene el estudio</translation>
     </message>
     <message>
         <source>Any</source>
-        <translation type="unfinished"></translation>
+        <translation>Cualquiera</translation>
     </message>
     <message>
         <source>When the study was made</source>
-        <translation type="unfinished"></translation>
+        <translation>Cuándo se hizo el estudio</translation>
     </message>
     <message>
         <source>Today</source>
-        <translation type="unfinished"></translation>
+        <translation>Hoy</translation>
     </message>
     <message>
         <source>Last 7 days</source>
-        <translation type="unfinished"></translation>
+        <translation>Últimos 7 días</translation>
     </message>
     <message>
         <source>Last 30 days</source>
-        <translation type="unfinished"></translation>
+        <translation>Últimos 30 días</translation>
     </message>
     <message>
         <source>Last 365 days</source>
-        <translation type="unfinished"></translation>
+        <translation>Últimos 365 días</translation>
     </message>
     <message>
         <source>From … to</source>
-        <translation type="unfinished"></translation>
+        <translation>De … a</translation>
     </message>
     <message>
         <source>First day</source>
-        <translation type="unfinished"></translation>
+        <translation>Primer día</translation>
     </message>
     <message>
         <source>Last day</source>
-        <translation type="unfinished"></translation>
+        <translation>Último día</translation>
     </message>
     <message>
         <source>Cancel</source>
-        <translation type="unfinished">Cancelar</translation>
+        <translation>Cancelar</translation>
     </message>
     <message>
         <source>Save this search…</source>
-        <translation type="unfinished"></translation>
+        <translation>Guardar esta búsqueda…</translation>
     </message>
     <message>
         <source>Save this search</source>
-        <translation type="unfinished"></translation>
+        <translation>Guardar esta búsqueda</translation>
     </message>
     <message>
         <source>Its name (date, type and description are saved, nothing of a patient):</source>
-        <translation type="unfinished"></translation>
+        <translation>Su nombre (se guardan fecha, tipo y descripción, nada de un paciente):</translation>
     </message>
     <message>
         <source>Forget</source>
-        <translation type="unfinished"></translation>
+        <translation>Olvidar</translation>
     </message>
 </context>
 <context>
     <name>fenestra::viewer::SendDialog</name>
     <message>
         <source>Nothing is open.</source>
-        <translation type="unfinished"></translation>
+        <translation>No hay nada abierto.</translation>
     </message>
     <message>
         <source>What is open is not DICOM, and archives keep nothing else.</source>
-        <translation type="unfinished"></translation>
+        <translation>Lo abierto no es DICOM, y los archivos no guardan otra cosa.</translation>
     </message>
     <message>
         <source>Send to an archive</source>
-        <translation type="unfinished"></translation>
+        <translation>Enviar a un archivo</translation>
     </message>
     <message>
         <source>Object</source>
-        <translation type="unfinished"></translation>
+        <translation>Objeto</translation>
     </message>
     <message>
         <source>Answer of the server</source>
-        <translation type="unfinished"></translation>
+        <translation>Respuesta del servidor</translation>
     </message>
     <message>
         <source>Send</source>
-        <translation type="unfinished"></translation>
+        <translation>Enviar</translation>
     </message>
     <message>
         <source>The server that gets the objects</source>
-        <translation type="unfinished"></translation>
+        <translation>El servidor que recibe los objetos</translation>
     </message>
     <message>
         <source>The open series, images: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>La serie abierta, imágenes: %1</translation>
     </message>
     <message>
         <source>Its files as they are</source>
-        <translation type="unfinished"></translation>
+        <translation>Sus archivos tal como son</translation>
     </message>
     <message>
         <source>All labels, as a DICOM segmentation</source>
-        <translation type="unfinished"></translation>
+        <translation>Todas las etiquetas, como segmentación DICOM</translation>
     </message>
     <message>
         <source>With their names and colours, for the patient and the series that are open</source>
-        <translation type="unfinished"></translation>
+        <translation>Con sus nombres y colores, para el paciente y la serie abiertos</translation>
     </message>
     <message>
         <source>The objects hold the patient&apos;s name and ID: an archive files them by these.</source>
-        <translation type="unfinished"></translation>
+        <translation>Los objetos contienen el nombre y el ID del paciente: un archivo los clasifica por ellos.</translation>
     </message>
     <message>
         <source>Server</source>
-        <translation type="unfinished"></translation>
+        <translation>Servidor</translation>
     </message>
     <message>
         <source>Image %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Imagen %1</translation>
     </message>
     <message>
         <source>Labels</source>
-        <translation type="unfinished"></translation>
+        <translation>Etiquetas</translation>
     </message>
     <message>
         <source>accepted</source>
-        <translation type="unfinished"></translation>
+        <translation>aceptado</translation>
     </message>
     <message>
         <source>refused</source>
-        <translation type="unfinished"></translation>
+        <translation>rechazado</translation>
     </message>
     <message>
         <source>Accepted: %1 of %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>Aceptados: %1 de %2.</translation>
     </message>
 </context>
 <context>
     <name>fenestra::viewer::SeriesPanel</name>
     <message>
         <source>Series</source>
-        <translation type="unfinished"></translation>
+        <translation>Series</translation>
     </message>
     <message>
         <source>Patient %1</source>
-        <translation type="unfinished">Paciente %1</translation>
+        <translation>Paciente %1</translation>
     </message>
     <message>
         <source>Patient without a name</source>
-        <translation type="unfinished"></translation>
+        <translation>Paciente sin nombre</translation>
     </message>
     <message>
         <source>1 image</source>
-        <translation type="unfinished"></translation>
+        <translation>1 imagen</translation>
     </message>
     <message numerus="yes">
         <source>%n images</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n imagen</numerusform>
+            <numerusform>%n imágenes</numerusform>
         </translation>
     </message>
     <message>
         <source>%1, open</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, abierta</translation>
     </message>
 </context>
 <context>
     <name>fenestra::viewer::ServerDialog</name>
     <message>
         <source>Archive server</source>
-        <translation type="unfinished"></translation>
+        <translation>Servidor de archivo</translation>
     </message>
     <message>
         <source>As you call it</source>
-        <translation type="unfinished"></translation>
+        <translation>Como usted lo llama</translation>
     </message>
     <message>
         <source>DICOM</source>
-        <translation type="unfinished"></translation>
+        <translation>DICOM</translation>
     </message>
     <message>
         <source>DICOM over TLS</source>
-        <translation type="unfinished"></translation>
+        <translation>DICOM sobre TLS</translation>
     </message>
     <message>
         <source>DICOMweb</source>
-        <translation type="unfinished"></translation>
+        <translation>DICOMweb</translation>
     </message>
     <message>
         <source>What the server speaks; its administrator knows</source>
-        <translation type="unfinished"></translation>
+        <translation>Lo que habla el servidor; su administrador lo sabe</translation>
     </message>
     <message>
         <source>Name</source>
-        <translation type="unfinished">Nombre</translation>
+        <translation>Nombre</translation>
     </message>
     <message>
         <source>Speaks</source>
-        <translation type="unfinished"></translation>
+        <translation>Habla</translation>
     </message>
     <message>
         <source>Its name or address in the network</source>
-        <translation type="unfinished"></translation>
+        <translation>Su nombre o dirección en la red</translation>
     </message>
     <message>
         <source>The port that it listens on</source>
-        <translation type="unfinished"></translation>
+        <translation>El puerto en el que escucha</translation>
     </message>
     <message>
         <source>Its AE title, at most 16 letters and digits</source>
-        <translation type="unfinished"></translation>
+        <translation>Su título AE, 16 letras y cifras como máximo</translation>
     </message>
     <message>
         <source>Our AE title: its administrator enters it at the server</source>
-        <translation type="unfinished"></translation>
+        <translation>El título AE propio: el administrador lo registra en el servidor</translation>
     </message>
     <message>
         <source>C-GET, over our connection</source>
-        <translation type="unfinished"></translation>
+        <translation>C-GET, por nuestra conexión</translation>
     </message>
     <message>
         <source>C-MOVE, the server connects to us</source>
-        <translation type="unfinished"></translation>
+        <translation>C-MOVE, el servidor se conecta con nosotros</translation>
     </message>
     <message>
         <source>How objects come. C-GET needs nothing more; with C-MOVE our address and port are entered at the server, and the port is open while objects come</source>
-        <translation type="unfinished"></translation>
+        <translation>Cómo llegan los objetos. C-GET no necesita nada más; con C-MOVE la dirección y el puerto propios se registran en el servidor, y el puerto está abierto mientras llegan objetos</translation>
     </message>
     <message>
         <source>Address of this machine that the server sends to</source>
-        <translation type="unfinished"></translation>
+        <translation>Dirección de este equipo a la que envía el servidor</translation>
     </message>
     <message>
         <source>Port of this machine that the server sends to</source>
-        <translation type="unfinished"></translation>
+        <translation>Puerto de este equipo al que envía el servidor</translation>
     </message>
     <message>
         <source>Host</source>
-        <translation type="unfinished"></translation>
+        <translation>Host</translation>
     </message>
     <message>
         <source>Port</source>
-        <translation type="unfinished"></translation>
+        <translation>Puerto</translation>
     </message>
     <message>
         <source>Its AE title</source>
-        <translation type="unfinished"></translation>
+        <translation>Su título AE</translation>
     </message>
     <message>
         <source>Our AE title</source>
-        <translation type="unfinished"></translation>
+        <translation>Título AE propio</translation>
     </message>
     <message>
         <source>Retrieve by</source>
-        <translation type="unfinished"></translation>
+        <translation>Recuperar por</translation>
     </message>
     <message>
         <source>Our address</source>
-        <translation type="unfinished"></translation>
+        <translation>Dirección propia</translation>
     </message>
     <message>
         <source>Our port</source>
-        <translation type="unfinished"></translation>
+        <translation>Puerto propio</translation>
     </message>
     <message>
         <source>The address of DICOMweb&apos;s root. A login goes out over https alone</source>
-        <translation type="unfinished"></translation>
+        <translation>La dirección de la raíz de DICOMweb. Un acceso solo sale por https</translation>
     </message>
     <message>
         <source>None</source>
-        <translation type="unfinished"></translation>
+        <translation>Ninguno</translation>
     </message>
     <message>
         <source>User and password</source>
-        <translation type="unfinished"></translation>
+        <translation>Usuario y contraseña</translation>
     </message>
     <message>
         <source>Token</source>
-        <translation type="unfinished"></translation>
+        <translation>Token</translation>
     </message>
     <message>
         <source>The password or token is asked for when it is needed, and forgotten when the program ends</source>
-        <translation type="unfinished"></translation>
+        <translation>La contraseña o el token se piden cuando hacen falta y se olvidan al terminar el programa</translation>
     </message>
     <message>
         <source>Who you are to the server</source>
-        <translation type="unfinished"></translation>
+        <translation>Quién es usted para el servidor</translation>
     </message>
     <message>
         <source>Address</source>
-        <translation type="unfinished"></translation>
+        <translation>Dirección</translation>
     </message>
     <message>
         <source>Login</source>
-        <translation type="unfinished"></translation>
+        <translation>Acceso</translation>
     </message>
     <message>
         <source>User</source>
-        <translation type="unfinished"></translation>
+        <translation>Usuario</translation>
     </message>
     <message>
         <source>Certificates that may sign the server&apos;s</source>
-        <translation type="unfinished"></translation>
+        <translation>Certificados que pueden firmar el del servidor</translation>
     </message>
     <message>
         <source>Certificates in PEM that may sign the server&apos;s, or its own</source>
-        <translation type="unfinished"></translation>
+        <translation>Certificados en PEM que pueden firmar el del servidor, o el suyo</translation>
     </message>
     <message>
         <source>Our certificate</source>
-        <translation type="unfinished"></translation>
+        <translation>Certificado propio</translation>
     </message>
     <message>
         <source>In PEM, where the server asks for one</source>
-        <translation type="unfinished"></translation>
+        <translation>En PEM, si el servidor pide uno</translation>
     </message>
     <message>
         <source>The key of our certificate</source>
-        <translation type="unfinished"></translation>
+        <translation>La clave del certificado propio</translation>
     </message>
     <message>
         <source>In PEM, without a passphrase</source>
-        <translation type="unfinished"></translation>
+        <translation>En PEM, sin frase de contraseña</translation>
     </message>
     <message>
         <source>Trusted certificates</source>
-        <translation type="unfinished"></translation>
+        <translation>Certificados de confianza</translation>
     </message>
     <message>
         <source>Its key</source>
-        <translation type="unfinished"></translation>
+        <translation>Su clave</translation>
     </message>
     <message>
         <source>Choose the file</source>
-        <translation type="unfinished"></translation>
+        <translation>Elegir el archivo</translation>
     </message>
     <message>
         <source>Certificates and keys (*.pem *.crt *.cer *.key);;All files (*)</source>
-        <translation type="unfinished"></translation>
+        <translation>Certificados y claves (*.pem *.crt *.cer *.key);;Todos los archivos (*)</translation>
     </message>
     <message>
         <source>Token for %1:</source>
-        <translation type="unfinished"></translation>
+        <translation>Token para %1:</translation>
     </message>
     <message>
         <source>Password of %1 for %2:</source>
-        <translation type="unfinished"></translation>
+        <translation>Contraseña de %1 para %2:</translation>
     </message>
 </context>
 <context>

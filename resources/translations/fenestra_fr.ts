@@ -400,23 +400,23 @@
     </message>
     <message>
         <source>What an archive holds</source>
-        <translation type="unfinished"></translation>
+        <translation>Ce que contient une archive</translation>
     </message>
     <message>
         <source>Double-click, Return</source>
-        <translation type="unfinished"></translation>
+        <translation>Double-clic, Entrée</translation>
     </message>
     <message>
         <source>retrieve the study or series, and open it once it is whole</source>
-        <translation type="unfinished"></translation>
+        <translation>récupérer l’examen ou la série, et l’ouvrir dès qu’elle est complète</translation>
     </message>
     <message>
         <source>Drag onto a view</source>
-        <translation type="unfinished"></translation>
+        <translation>Glisser sur une vue</translation>
     </message>
     <message>
         <source>retrieve what is selected, and open it once it is whole</source>
-        <translation type="unfinished"></translation>
+        <translation>récupérer la sélection, et l’ouvrir dès qu’elle est complète</translation>
     </message>
 </context>
 <context>
@@ -848,7 +848,7 @@
     </message>
     <message>
         <source>Series</source>
-        <translation type="unfinished"></translation>
+        <translation>Séries</translation>
     </message>
 </context>
 <context>
@@ -1020,66 +1020,66 @@
     <name>Series</name>
     <message>
         <source>%1 mm</source>
-        <translation type="unfinished">%L1 mm</translation>
+        <translation>%1 mm</translation>
     </message>
     <message>
         <source>every %1</source>
-        <translation type="unfinished">tous les %1</translation>
+        <translation>tous les %1</translation>
     </message>
     <message>
         <source>%1, every %2</source>
-        <translation type="unfinished">%1, tous les %2</translation>
+        <translation>%1, tous les %2</translation>
     </message>
     <message>
         <source>time point %1 of %2</source>
-        <translation type="unfinished"></translation>
+        <translation>instant %1 sur %2</translation>
     </message>
     <message>
         <source>Series without a name</source>
-        <translation type="unfinished"></translation>
+        <translation>Série sans nom</translation>
     </message>
     <message>
         <source>Series %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Série %1</translation>
     </message>
     <message>
         <source>Study %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Examen %1</translation>
     </message>
 </context>
 <context>
     <name>ServerEntry</name>
     <message>
         <source>The server&apos;s AE title has 1 to 16 letters and digits; its administrator knows it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le titre AE du serveur a de 1 à 16 lettres et chiffres ; son administrateur le connaît.</translation>
     </message>
     <message>
         <source>Our AE title has 1 to 16 letters and digits; the server must know it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Notre titre AE a de 1 à 16 lettres et chiffres ; le serveur doit le connaître.</translation>
     </message>
     <message>
         <source>The host is a name or an address, such as pacs.hospital or 192.168.1.5.</source>
-        <translation type="unfinished"></translation>
+        <translation>L’hôte est un nom ou une adresse, comme pacs.hospital ou 192.168.1.5.</translation>
     </message>
     <message>
         <source>C-MOVE needs a port of ours that is entered at the server.</source>
-        <translation type="unfinished"></translation>
+        <translation>C-MOVE a besoin d’un port à nous, enregistré sur le serveur.</translation>
     </message>
     <message>
         <source>TLS needs the file of the certificates that may sign the server&apos;s, in PEM.</source>
-        <translation type="unfinished"></translation>
+        <translation>TLS a besoin du fichier PEM des certificats qui peuvent signer celui du serveur.</translation>
     </message>
     <message>
         <source>Our certificate needs its key, and the key its certificate.</source>
-        <translation type="unfinished"></translation>
+        <translation>Notre certificat a besoin de sa clé, et la clé de son certificat.</translation>
     </message>
     <message>
         <source>The address is that of DICOMweb&apos;s root, such as https://pacs.hospital/dicom-web.</source>
-        <translation type="unfinished"></translation>
+        <translation>L’adresse est celle de la racine de DICOMweb, comme https://pacs.hospital/dicom-web.</translation>
     </message>
     <message>
         <source>A login with a password needs the user&apos;s name.</source>
-        <translation type="unfinished"></translation>
+        <translation>Une connexion par mot de passe a besoin du nom de l’utilisateur.</translation>
     </message>
 </context>
 <context>
@@ -2718,23 +2718,23 @@ Cosinus de l&apos;angle avec la plus proche des six</translation>
     </message>
     <message>
         <source>Objects of archives, at most</source>
-        <translation type="unfinished"></translation>
+        <translation>Objets des archives, au plus</translation>
     </message>
     <message>
         <source>Disk space for what was retrieved from archive servers: the series used longest ago go first</source>
-        <translation type="unfinished"></translation>
+        <translation>Espace disque pour ce qui a été récupéré des serveurs d’archives : les séries inutilisées depuis le plus longtemps partent d’abord</translation>
     </message>
     <message>
         <source>GB</source>
-        <translation type="unfinished"></translation>
+        <translation>Go</translation>
     </message>
     <message>
         <source>de-identifying</source>
-        <translation type="unfinished"></translation>
+        <translation>anonymisation</translation>
     </message>
     <message>
         <source>listing files</source>
-        <translation type="unfinished"></translation>
+        <translation>liste des fichiers</translation>
     </message>
 </context>
 <context>
@@ -3676,23 +3676,23 @@ Cosinus de l&apos;angle avec la plus proche des six</translation>
     </message>
     <message>
         <source>Send to archi&amp;ve…</source>
-        <translation type="unfinished"></translation>
+        <translation>En&amp;voyer à l’archive…</translation>
     </message>
     <message>
         <source>The open series and its labels, to a server of the panel Archive</source>
-        <translation type="unfinished"></translation>
+        <translation>La série ouverte et ses labels, vers un serveur du panneau Archive</translation>
     </message>
     <message>
         <source>They are kept in</source>
-        <translation type="unfinished"></translation>
+        <translation>Ils sont conservés dans</translation>
     </message>
     <message>
         <source>V</source>
-        <translation type="unfinished"></translation>
+        <translation>V</translation>
     </message>
     <message>
         <source>Shift+V</source>
-        <translation type="unfinished"></translation>
+        <translation>Shift+V</translation>
     </message>
 </context>
 <context>
@@ -3718,173 +3718,173 @@ Cosinus de l&apos;angle avec la plus proche des six</translation>
     <name>fenestra::viewer::ArchiveDock</name>
     <message>
         <source>Archive</source>
-        <translation type="unfinished"></translation>
+        <translation>Archive</translation>
     </message>
 </context>
 <context>
     <name>fenestra::viewer::ArchiveModel</name>
     <message>
         <source>Patient %1</source>
-        <translation type="unfinished">Patient %1</translation>
+        <translation>Patient %1</translation>
     </message>
     <message>
         <source>No name</source>
-        <translation type="unfinished"></translation>
+        <translation>Sans nom</translation>
     </message>
     <message>
         <source>Study %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Examen %1</translation>
     </message>
     <message>
         <source>Series %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Série %1</translation>
     </message>
     <message>
         <source>Born %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Né(e) %1</translation>
     </message>
     <message>
         <source>Sex %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Sexe %1</translation>
     </message>
     <message>
         <source>Accession number %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Numéro d’accession %1</translation>
     </message>
     <message>
         <source>Study ID %1</source>
-        <translation type="unfinished"></translation>
+        <translation>ID de l’examen %1</translation>
     </message>
     <message>
         <source>Part of the body: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Partie du corps : %1</translation>
     </message>
     <message>
         <source>Protocol: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Protocole : %1</translation>
     </message>
     <message>
         <source>Patient, study</source>
-        <translation type="unfinished"></translation>
+        <translation>Patient, examen</translation>
     </message>
     <message>
         <source>Date</source>
-        <translation type="unfinished">Date</translation>
+        <translation>Date</translation>
     </message>
     <message>
         <source>Type</source>
-        <translation type="unfinished">Type</translation>
+        <translation>Type</translation>
     </message>
     <message>
         <source>Images</source>
-        <translation type="unfinished">Images</translation>
+        <translation>Images</translation>
     </message>
 </context>
 <context>
     <name>fenestra::viewer::ArchivePanel</name>
     <message>
         <source>No server is entered, so nothing goes over the network. Add the archive server (PACS) that holds your studies; its administrator knows what to enter.</source>
-        <translation type="unfinished"></translation>
+        <translation>Aucun serveur n’est enregistré : rien ne passe par le réseau. Ajoutez le serveur d’archives (PACS) qui a vos examens ; son administrateur sait ce qu’il faut saisir.</translation>
     </message>
     <message>
         <source>Searching…</source>
-        <translation type="unfinished"></translation>
+        <translation>Recherche…</translation>
     </message>
     <message>
         <source>Cancelled.</source>
-        <translation type="unfinished"></translation>
+        <translation>Annulé.</translation>
     </message>
     <message>
         <source>The archive server that is asked</source>
-        <translation type="unfinished"></translation>
+        <translation>Le serveur d’archives interrogé</translation>
     </message>
     <message>
         <source>Test</source>
-        <translation type="unfinished"></translation>
+        <translation>Tester</translation>
     </message>
     <message>
         <source>Asks the server whether it answers (echo), and says what is wrong</source>
-        <translation type="unfinished"></translation>
+        <translation>Demande au serveur s’il répond (écho), et dit ce qui ne va pas</translation>
     </message>
     <message>
         <source>Servers</source>
-        <translation type="unfinished"></translation>
+        <translation>Serveurs</translation>
     </message>
     <message>
         <source>Add, edit and remove servers</source>
-        <translation type="unfinished"></translation>
+        <translation>Ajouter, modifier et supprimer des serveurs</translation>
     </message>
     <message>
         <source>Add a server…</source>
-        <translation type="unfinished"></translation>
+        <translation>Ajouter un serveur…</translation>
     </message>
     <message>
         <source>Edit…</source>
-        <translation type="unfinished"></translation>
+        <translation>Modifier…</translation>
     </message>
     <message>
         <source>Remove</source>
-        <translation type="unfinished">Enlever</translation>
+        <translation>Supprimer</translation>
     </message>
     <message>
         <source>Remove the server</source>
-        <translation type="unfinished"></translation>
+        <translation>Supprimer le serveur</translation>
     </message>
     <message>
         <source>Remove %1?</source>
-        <translation type="unfinished"></translation>
+        <translation>Supprimer %1 ?</translation>
     </message>
     <message>
         <source>Images</source>
-        <translation type="unfinished">Images</translation>
+        <translation>Images</translation>
     </message>
     <message>
         <source>Open</source>
-        <translation type="unfinished">Ouvrir</translation>
+        <translation>Ouvrir</translation>
     </message>
     <message>
         <source>Retrieves the study or series, and opens it once it is whole (double-click, or drag onto a view)</source>
-        <translation type="unfinished"></translation>
+        <translation>Récupère l’examen ou la série, et l’ouvre dès qu’elle est complète (double-clic, ou glisser sur une vue)</translation>
     </message>
     <message>
         <source>Retrieve</source>
-        <translation type="unfinished"></translation>
+        <translation>Récupérer</translation>
     </message>
     <message>
         <source>Fetches what is selected into the cache, to be opened later</source>
-        <translation type="unfinished"></translation>
+        <translation>Met la sélection dans le cache, pour l’ouvrir plus tard</translation>
     </message>
     <message>
         <source>More…</source>
-        <translation type="unfinished"></translation>
+        <translation>Plus…</translation>
     </message>
     <message>
         <source>Asks for more of the studies that match</source>
-        <translation type="unfinished"></translation>
+        <translation>Demande la suite des examens qui correspondent</translation>
     </message>
     <message>
         <source>Asking %1…</source>
-        <translation type="unfinished"></translation>
+        <translation>Interrogation de %1…</translation>
     </message>
     <message>
         <source>%1 answers, in %2 ms.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 répond, en %2 ms.</translation>
     </message>
     <message>
         <source>Nothing matches. Check the spelling; an asterisk stands for any text, as in *jane*.</source>
-        <translation type="unfinished"></translation>
+        <translation>Rien ne correspond. Vérifiez l’orthographe ; un astérisque vaut pour tout texte, comme dans *jane*.</translation>
     </message>
     <message>
         <source>Studies: %1, of patients: %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>Examens : %1, de patients : %2.</translation>
     </message>
     <message>
         <source>There are more: narrow the search, or ask for more.</source>
-        <translation type="unfinished"></translation>
+        <translation>Il y en a d’autres : restreignez la recherche, ou demandez la suite.</translation>
     </message>
     <message>
         <source>The server does not match by some of the fields.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le serveur ne cherche pas par certains des champs.</translation>
     </message>
 </context>
 <context>
@@ -4044,39 +4044,39 @@ Cosinus de l&apos;angle avec la plus proche des six</translation>
     <name>fenestra::viewer::CacheRow</name>
     <message>
         <source>Move…</source>
-        <translation type="unfinished"></translation>
+        <translation>Déplacer…</translation>
     </message>
     <message>
         <source>Chooses where objects are kept from now on; those of before stay where they are</source>
-        <translation type="unfinished"></translation>
+        <translation>Choisit où les objets sont conservés désormais ; les précédents restent où ils sont</translation>
     </message>
     <message>
         <source>Keep objects of archives in</source>
-        <translation type="unfinished"></translation>
+        <translation>Conserver les objets des archives dans</translation>
     </message>
     <message>
         <source>Clear</source>
-        <translation type="unfinished"></translation>
+        <translation>Vider</translation>
     </message>
     <message>
         <source>Removes all objects that were retrieved; not while some come in</source>
-        <translation type="unfinished"></translation>
+        <translation>Supprime tous les objets récupérés ; pas pendant que d’autres arrivent</translation>
     </message>
     <message>
         <source>Remove all objects that were retrieved? The servers still have them, but sessions that refer to them find their data no more.</source>
-        <translation type="unfinished"></translation>
+        <translation>Supprimer tous les objets récupérés ? Les serveurs les ont encore, mais les sessions qui s’y réfèrent ne trouveront plus leurs données.</translation>
     </message>
     <message>
         <source>Clears…</source>
-        <translation type="unfinished"></translation>
+        <translation>Vidage…</translation>
     </message>
     <message>
         <source>Counts…</source>
-        <translation type="unfinished"></translation>
+        <translation>Comptage…</translation>
     </message>
     <message>
         <source>%1 in %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 dans %2</translation>
     </message>
 </context>
 <context>
@@ -5474,465 +5474,465 @@ Sinon&#xa0;: d&apos;abord la meilleure vue, puis la meilleure à côté</transla
     <name>fenestra::viewer::RetrievalRow</name>
     <message>
         <source>Pause</source>
-        <translation type="unfinished"></translation>
+        <translation>Pause</translation>
     </message>
     <message>
         <source>Go on</source>
-        <translation type="unfinished"></translation>
+        <translation>Continuer</translation>
     </message>
     <message>
         <source>Retry</source>
-        <translation type="unfinished"></translation>
+        <translation>Réessayer</translation>
     </message>
     <message>
         <source>Open</source>
-        <translation type="unfinished">Ouvrir</translation>
+        <translation>Ouvrir</translation>
     </message>
     <message>
         <source>Waits for others</source>
-        <translation type="unfinished"></translation>
+        <translation>Attend les autres</translation>
     </message>
     <message>
         <source>Stops…</source>
-        <translation type="unfinished"></translation>
+        <translation>Arrêt…</translation>
     </message>
     <message>
         <source>Paused; what came is kept</source>
-        <translation type="unfinished"></translation>
+        <translation>En pause ; ce qui est arrivé est conservé</translation>
     </message>
     <message>
         <source>Whole</source>
-        <translation type="unfinished"></translation>
+        <translation>Complète</translation>
     </message>
     <message>
         <source>Cancels it, and takes it out of the list. What came stays in the cache</source>
-        <translation type="unfinished"></translation>
+        <translation>L’annule et la retire de la liste. Ce qui est arrivé reste dans le cache</translation>
     </message>
     <message>
         <source>Retrieval %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Récupération %1</translation>
     </message>
 </context>
 <context>
     <name>fenestra::viewer::Retrievals</name>
     <message>
         <source>The server needs a login.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le serveur demande une connexion.</translation>
     </message>
     <message>
         <source>Its server is no longer in the list.</source>
-        <translation type="unfinished"></translation>
+        <translation>Son serveur n’est plus dans la liste.</translation>
     </message>
 </context>
 <context>
     <name>fenestra::viewer::SearchForm</name>
     <message>
         <source>Search</source>
-        <translation type="unfinished"></translation>
+        <translation>Chercher</translation>
     </message>
     <message>
         <source>Asks the server for the studies that match. Empty fields match all (Return)</source>
-        <translation type="unfinished"></translation>
+        <translation>Demande au serveur les examens qui correspondent. Les champs vides valent pour tous (Entrée)</translation>
     </message>
     <message>
         <source>Saved searches</source>
-        <translation type="unfinished"></translation>
+        <translation>Recherches enregistrées</translation>
     </message>
     <message>
         <source>Searches under a name. A patient&apos;s name, ID and accession number are not saved</source>
-        <translation type="unfinished"></translation>
+        <translation>Recherches sous un nom. Le nom, l’ID et le numéro d’accession d’un patient ne sont pas enregistrés</translation>
     </message>
     <message>
         <source>Name</source>
-        <translation type="unfinished">Nom</translation>
+        <translation>Nom</translation>
     </message>
     <message>
         <source>ID</source>
-        <translation type="unfinished"></translation>
+        <translation>ID</translation>
     </message>
     <message>
         <source>Accession</source>
-        <translation type="unfinished"></translation>
+        <translation>Accession</translation>
     </message>
     <message>
         <source>Date</source>
-        <translation type="unfinished">Date</translation>
+        <translation>Date</translation>
     </message>
     <message>
         <source>Type</source>
-        <translation type="unfinished">Type</translation>
+        <translation>Type</translation>
     </message>
     <message>
         <source>Description</source>
-        <translation type="unfinished">Description</translation>
+        <translation>Description</translation>
     </message>
     <message>
         <source>An asterisk stands for any text, a question mark for one character</source>
-        <translation type="unfinished"></translation>
+        <translation>Un astérisque vaut pour tout texte, un point d’interrogation pour un caractère</translation>
     </message>
     <message>
         <source>Family name, or &quot;Doe, Jane&quot;: all names that begin so. %1, as in *jane*</source>
-        <translation type="unfinished"></translation>
+        <translation>Nom de famille, ou « Doe, Jane » : tous les noms qui commencent ainsi. %1, comme dans *jane*</translation>
     </message>
     <message>
         <source>The patient&apos;s ID as it is. %1, as in 47*</source>
-        <translation type="unfinished"></translation>
+        <translation>L’ID du patient tel quel. %1, comme dans 47*</translation>
     </message>
     <message>
         <source>The accession number as it is. %1, as in A2024*</source>
-        <translation type="unfinished"></translation>
+        <translation>Le numéro d’accession tel quel. %1, comme dans A2024*</translation>
     </message>
     <message>
         <source>All descriptions of studies that hold this text. %1, as in head*</source>
-        <translation type="unfinished"></translation>
+        <translation>Toutes les descriptions d’examens qui contiennent ce texte. %1, comme dans head*</translation>
     </message>
     <message>
         <source>The kind of images that the study holds</source>
-        <translation type="unfinished"></translation>
+        <translation>Le type d’images que contient l’examen</translation>
     </message>
     <message>
         <source>Any</source>
-        <translation type="unfinished"></translation>
+        <translation>Indifférent</translation>
     </message>
     <message>
         <source>When the study was made</source>
-        <translation type="unfinished"></translation>
+        <translation>Date de l’examen</translation>
     </message>
     <message>
         <source>Today</source>
-        <translation type="unfinished"></translation>
+        <translation>Aujourd’hui</translation>
     </message>
     <message>
         <source>Last 7 days</source>
-        <translation type="unfinished"></translation>
+        <translation>7 derniers jours</translation>
     </message>
     <message>
         <source>Last 30 days</source>
-        <translation type="unfinished"></translation>
+        <translation>30 derniers jours</translation>
     </message>
     <message>
         <source>Last 365 days</source>
-        <translation type="unfinished"></translation>
+        <translation>365 derniers jours</translation>
     </message>
     <message>
         <source>From … to</source>
-        <translation type="unfinished"></translation>
+        <translation>Du … au</translation>
     </message>
     <message>
         <source>First day</source>
-        <translation type="unfinished"></translation>
+        <translation>Premier jour</translation>
     </message>
     <message>
         <source>Last day</source>
-        <translation type="unfinished"></translation>
+        <translation>Dernier jour</translation>
     </message>
     <message>
         <source>Cancel</source>
-        <translation type="unfinished">Annuler</translation>
+        <translation>Annuler</translation>
     </message>
     <message>
         <source>Save this search…</source>
-        <translation type="unfinished"></translation>
+        <translation>Enregistrer cette recherche…</translation>
     </message>
     <message>
         <source>Save this search</source>
-        <translation type="unfinished"></translation>
+        <translation>Enregistrer cette recherche</translation>
     </message>
     <message>
         <source>Its name (date, type and description are saved, nothing of a patient):</source>
-        <translation type="unfinished"></translation>
+        <translation>Son nom (date, type et description sont enregistrés, rien d’un patient) :</translation>
     </message>
     <message>
         <source>Forget</source>
-        <translation type="unfinished"></translation>
+        <translation>Oublier</translation>
     </message>
 </context>
 <context>
     <name>fenestra::viewer::SendDialog</name>
     <message>
         <source>Nothing is open.</source>
-        <translation type="unfinished"></translation>
+        <translation>Rien n’est ouvert.</translation>
     </message>
     <message>
         <source>What is open is not DICOM, and archives keep nothing else.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ce qui est ouvert n’est pas DICOM, et les archives ne conservent rien d’autre.</translation>
     </message>
     <message>
         <source>Send to an archive</source>
-        <translation type="unfinished"></translation>
+        <translation>Envoyer à une archive</translation>
     </message>
     <message>
         <source>Object</source>
-        <translation type="unfinished"></translation>
+        <translation>Objet</translation>
     </message>
     <message>
         <source>Answer of the server</source>
-        <translation type="unfinished"></translation>
+        <translation>Réponse du serveur</translation>
     </message>
     <message>
         <source>Send</source>
-        <translation type="unfinished"></translation>
+        <translation>Envoyer</translation>
     </message>
     <message>
         <source>The server that gets the objects</source>
-        <translation type="unfinished"></translation>
+        <translation>Le serveur qui reçoit les objets</translation>
     </message>
     <message>
         <source>The open series, images: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>La série ouverte, images : %1</translation>
     </message>
     <message>
         <source>Its files as they are</source>
-        <translation type="unfinished"></translation>
+        <translation>Ses fichiers tels quels</translation>
     </message>
     <message>
         <source>All labels, as a DICOM segmentation</source>
-        <translation type="unfinished"></translation>
+        <translation>Tous les labels, en segmentation DICOM</translation>
     </message>
     <message>
         <source>With their names and colours, for the patient and the series that are open</source>
-        <translation type="unfinished"></translation>
+        <translation>Avec leurs noms et couleurs, pour le patient et la série ouverts</translation>
     </message>
     <message>
         <source>The objects hold the patient&apos;s name and ID: an archive files them by these.</source>
-        <translation type="unfinished"></translation>
+        <translation>Les objets contiennent le nom et l’ID du patient : une archive les classe ainsi.</translation>
     </message>
     <message>
         <source>Server</source>
-        <translation type="unfinished"></translation>
+        <translation>Serveur</translation>
     </message>
     <message>
         <source>Image %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Image %1</translation>
     </message>
     <message>
         <source>Labels</source>
-        <translation type="unfinished"></translation>
+        <translation>Labels</translation>
     </message>
     <message>
         <source>accepted</source>
-        <translation type="unfinished"></translation>
+        <translation>accepté</translation>
     </message>
     <message>
         <source>refused</source>
-        <translation type="unfinished"></translation>
+        <translation>refusé</translation>
     </message>
     <message>
         <source>Accepted: %1 of %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>Acceptés : %1 sur %2.</translation>
     </message>
 </context>
 <context>
     <name>fenestra::viewer::SeriesPanel</name>
     <message>
         <source>Series</source>
-        <translation type="unfinished"></translation>
+        <translation>Séries</translation>
     </message>
     <message>
         <source>Patient %1</source>
-        <translation type="unfinished">Patient %1</translation>
+        <translation>Patient %1</translation>
     </message>
     <message>
         <source>Patient without a name</source>
-        <translation type="unfinished"></translation>
+        <translation>Patient sans nom</translation>
     </message>
     <message>
         <source>1 image</source>
-        <translation type="unfinished"></translation>
+        <translation>1 image</translation>
     </message>
     <message numerus="yes">
         <source>%n images</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n image</numerusform>
+            <numerusform>%n images</numerusform>
         </translation>
     </message>
     <message>
         <source>%1, open</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, ouverte</translation>
     </message>
 </context>
 <context>
     <name>fenestra::viewer::ServerDialog</name>
     <message>
         <source>Archive server</source>
-        <translation type="unfinished"></translation>
+        <translation>Serveur d’archives</translation>
     </message>
     <message>
         <source>As you call it</source>
-        <translation type="unfinished"></translation>
+        <translation>Comme vous l’appelez</translation>
     </message>
     <message>
         <source>DICOM</source>
-        <translation type="unfinished"></translation>
+        <translation>DICOM</translation>
     </message>
     <message>
         <source>DICOM over TLS</source>
-        <translation type="unfinished"></translation>
+        <translation>DICOM sur TLS</translation>
     </message>
     <message>
         <source>DICOMweb</source>
-        <translation type="unfinished"></translation>
+        <translation>DICOMweb</translation>
     </message>
     <message>
         <source>What the server speaks; its administrator knows</source>
-        <translation type="unfinished"></translation>
+        <translation>Ce que parle le serveur ; son administrateur le sait</translation>
     </message>
     <message>
         <source>Name</source>
-        <translation type="unfinished">Nom</translation>
+        <translation>Nom</translation>
     </message>
     <message>
         <source>Speaks</source>
-        <translation type="unfinished"></translation>
+        <translation>Parle</translation>
     </message>
     <message>
         <source>Its name or address in the network</source>
-        <translation type="unfinished"></translation>
+        <translation>Son nom ou son adresse dans le réseau</translation>
     </message>
     <message>
         <source>The port that it listens on</source>
-        <translation type="unfinished"></translation>
+        <translation>Le port sur lequel il écoute</translation>
     </message>
     <message>
         <source>Its AE title, at most 16 letters and digits</source>
-        <translation type="unfinished"></translation>
+        <translation>Son titre AE, au plus 16 lettres et chiffres</translation>
     </message>
     <message>
         <source>Our AE title: its administrator enters it at the server</source>
-        <translation type="unfinished"></translation>
+        <translation>Notre titre AE : l’administrateur l’enregistre sur le serveur</translation>
     </message>
     <message>
         <source>C-GET, over our connection</source>
-        <translation type="unfinished"></translation>
+        <translation>C-GET, par notre connexion</translation>
     </message>
     <message>
         <source>C-MOVE, the server connects to us</source>
-        <translation type="unfinished"></translation>
+        <translation>C-MOVE, le serveur se connecte à nous</translation>
     </message>
     <message>
         <source>How objects come. C-GET needs nothing more; with C-MOVE our address and port are entered at the server, and the port is open while objects come</source>
-        <translation type="unfinished"></translation>
+        <translation>Comment les objets arrivent. C-GET n’a besoin de rien d’autre ; avec C-MOVE, notre adresse et notre port sont enregistrés sur le serveur, et le port est ouvert pendant que les objets arrivent</translation>
     </message>
     <message>
         <source>Address of this machine that the server sends to</source>
-        <translation type="unfinished"></translation>
+        <translation>Adresse de cette machine vers laquelle le serveur envoie</translation>
     </message>
     <message>
         <source>Port of this machine that the server sends to</source>
-        <translation type="unfinished"></translation>
+        <translation>Port de cette machine vers lequel le serveur envoie</translation>
     </message>
     <message>
         <source>Host</source>
-        <translation type="unfinished"></translation>
+        <translation>Hôte</translation>
     </message>
     <message>
         <source>Port</source>
-        <translation type="unfinished"></translation>
+        <translation>Port</translation>
     </message>
     <message>
         <source>Its AE title</source>
-        <translation type="unfinished"></translation>
+        <translation>Son titre AE</translation>
     </message>
     <message>
         <source>Our AE title</source>
-        <translation type="unfinished"></translation>
+        <translation>Notre titre AE</translation>
     </message>
     <message>
         <source>Retrieve by</source>
-        <translation type="unfinished"></translation>
+        <translation>Récupérer par</translation>
     </message>
     <message>
         <source>Our address</source>
-        <translation type="unfinished"></translation>
+        <translation>Notre adresse</translation>
     </message>
     <message>
         <source>Our port</source>
-        <translation type="unfinished"></translation>
+        <translation>Notre port</translation>
     </message>
     <message>
         <source>The address of DICOMweb&apos;s root. A login goes out over https alone</source>
-        <translation type="unfinished"></translation>
+        <translation>L’adresse de la racine de DICOMweb. Une connexion ne part que par https</translation>
     </message>
     <message>
         <source>None</source>
-        <translation type="unfinished"></translation>
+        <translation>Aucune</translation>
     </message>
     <message>
         <source>User and password</source>
-        <translation type="unfinished"></translation>
+        <translation>Utilisateur et mot de passe</translation>
     </message>
     <message>
         <source>Token</source>
-        <translation type="unfinished"></translation>
+        <translation>Jeton</translation>
     </message>
     <message>
         <source>The password or token is asked for when it is needed, and forgotten when the program ends</source>
-        <translation type="unfinished"></translation>
+        <translation>Le mot de passe ou le jeton est demandé quand il le faut, et oublié à la fin du programme</translation>
     </message>
     <message>
         <source>Who you are to the server</source>
-        <translation type="unfinished"></translation>
+        <translation>Qui vous êtes pour le serveur</translation>
     </message>
     <message>
         <source>Address</source>
-        <translation type="unfinished"></translation>
+        <translation>Adresse</translation>
     </message>
     <message>
         <source>Login</source>
-        <translation type="unfinished"></translation>
+        <translation>Connexion</translation>
     </message>
     <message>
         <source>User</source>
-        <translation type="unfinished"></translation>
+        <translation>Utilisateur</translation>
     </message>
     <message>
         <source>Certificates that may sign the server&apos;s</source>
-        <translation type="unfinished"></translation>
+        <translation>Certificats qui peuvent signer celui du serveur</translation>
     </message>
     <message>
         <source>Certificates in PEM that may sign the server&apos;s, or its own</source>
-        <translation type="unfinished"></translation>
+        <translation>Certificats en PEM qui peuvent signer celui du serveur, ou le sien</translation>
     </message>
     <message>
         <source>Our certificate</source>
-        <translation type="unfinished"></translation>
+        <translation>Notre certificat</translation>
     </message>
     <message>
         <source>In PEM, where the server asks for one</source>
-        <translation type="unfinished"></translation>
+        <translation>En PEM, si le serveur en demande un</translation>
     </message>
     <message>
         <source>The key of our certificate</source>
-        <translation type="unfinished"></translation>
+        <translation>La clé de notre certificat</translation>
     </message>
     <message>
         <source>In PEM, without a passphrase</source>
-        <translation type="unfinished"></translation>
+        <translation>En PEM, sans phrase secrète</translation>
     </message>
     <message>
         <source>Trusted certificates</source>
-        <translation type="unfinished"></translation>
+        <translation>Certificats de confiance</translation>
     </message>
     <message>
         <source>Its key</source>
-        <translation type="unfinished"></translation>
+        <translation>Sa clé</translation>
     </message>
     <message>
         <source>Choose the file</source>
-        <translation type="unfinished"></translation>
+        <translation>Choisir le fichier</translation>
     </message>
     <message>
         <source>Certificates and keys (*.pem *.crt *.cer *.key);;All files (*)</source>
-        <translation type="unfinished"></translation>
+        <translation>Certificats et clés (*.pem *.crt *.cer *.key);;Tous les fichiers (*)</translation>
     </message>
     <message>
         <source>Token for %1:</source>
-        <translation type="unfinished"></translation>
+        <translation>Jeton pour %1 :</translation>
     </message>
     <message>
         <source>Password of %1 for %2:</source>
-        <translation type="unfinished"></translation>
+        <translation>Mot de passe de %1 pour %2 :</translation>
     </message>
 </context>
 <context>

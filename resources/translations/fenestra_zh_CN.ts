@@ -400,23 +400,23 @@
     </message>
     <message>
         <source>What an archive holds</source>
-        <translation type="unfinished"></translation>
+        <translation>归档中的内容</translation>
     </message>
     <message>
         <source>Double-click, Return</source>
-        <translation type="unfinished"></translation>
+        <translation>双击，回车</translation>
     </message>
     <message>
         <source>retrieve the study or series, and open it once it is whole</source>
-        <translation type="unfinished"></translation>
+        <translation>获取检查或序列，完整后打开</translation>
     </message>
     <message>
         <source>Drag onto a view</source>
-        <translation type="unfinished"></translation>
+        <translation>拖到视图上</translation>
     </message>
     <message>
         <source>retrieve what is selected, and open it once it is whole</source>
-        <translation type="unfinished"></translation>
+        <translation>获取所选内容，完整后打开</translation>
     </message>
 </context>
 <context>
@@ -848,7 +848,7 @@
     </message>
     <message>
         <source>Series</source>
-        <translation type="unfinished"></translation>
+        <translation>序列</translation>
     </message>
 </context>
 <context>
@@ -1020,66 +1020,66 @@
     <name>Series</name>
     <message>
         <source>%1 mm</source>
-        <translation type="unfinished">%L1 mm</translation>
+        <translation>%1 mm</translation>
     </message>
     <message>
         <source>every %1</source>
-        <translation type="unfinished">间距 %1</translation>
+        <translation>每 %1</translation>
     </message>
     <message>
         <source>%1, every %2</source>
-        <translation type="unfinished">%1，间距 %2</translation>
+        <translation>%1，每 %2</translation>
     </message>
     <message>
         <source>time point %1 of %2</source>
-        <translation type="unfinished"></translation>
+        <translation>时间点 %1 / %2</translation>
     </message>
     <message>
         <source>Series without a name</source>
-        <translation type="unfinished"></translation>
+        <translation>未命名的序列</translation>
     </message>
     <message>
         <source>Series %1</source>
-        <translation type="unfinished"></translation>
+        <translation>序列 %1</translation>
     </message>
     <message>
         <source>Study %1</source>
-        <translation type="unfinished"></translation>
+        <translation>检查 %1</translation>
     </message>
 </context>
 <context>
     <name>ServerEntry</name>
     <message>
         <source>The server&apos;s AE title has 1 to 16 letters and digits; its administrator knows it.</source>
-        <translation type="unfinished"></translation>
+        <translation>服务器的 AE 标题为 1 至 16 个字母和数字；其管理员知道它。</translation>
     </message>
     <message>
         <source>Our AE title has 1 to 16 letters and digits; the server must know it.</source>
-        <translation type="unfinished"></translation>
+        <translation>我方 AE 标题为 1 至 16 个字母和数字；服务器必须知道它。</translation>
     </message>
     <message>
         <source>The host is a name or an address, such as pacs.hospital or 192.168.1.5.</source>
-        <translation type="unfinished"></translation>
+        <translation>主机是名称或地址，如 pacs.hospital 或 192.168.1.5。</translation>
     </message>
     <message>
         <source>C-MOVE needs a port of ours that is entered at the server.</source>
-        <translation type="unfinished"></translation>
+        <translation>C-MOVE 需要在服务器上登记的我方端口。</translation>
     </message>
     <message>
         <source>TLS needs the file of the certificates that may sign the server&apos;s, in PEM.</source>
-        <translation type="unfinished"></translation>
+        <translation>TLS 需要可签署服务器证书的证书文件（PEM）。</translation>
     </message>
     <message>
         <source>Our certificate needs its key, and the key its certificate.</source>
-        <translation type="unfinished"></translation>
+        <translation>我方证书需要其密钥，密钥也需要其证书。</translation>
     </message>
     <message>
         <source>The address is that of DICOMweb&apos;s root, such as https://pacs.hospital/dicom-web.</source>
-        <translation type="unfinished"></translation>
+        <translation>地址为 DICOMweb 的根地址，如 https://pacs.hospital/dicom-web。</translation>
     </message>
     <message>
         <source>A login with a password needs the user&apos;s name.</source>
-        <translation type="unfinished"></translation>
+        <translation>使用密码登录需要用户名。</translation>
     </message>
 </context>
 <context>
@@ -2718,23 +2718,23 @@ Cosine of the angle to the nearest of the six</source>
     </message>
     <message>
         <source>Objects of archives, at most</source>
-        <translation type="unfinished"></translation>
+        <translation>归档对象上限</translation>
     </message>
     <message>
         <source>Disk space for what was retrieved from archive servers: the series used longest ago go first</source>
-        <translation type="unfinished"></translation>
+        <translation>从归档服务器获取内容所用的磁盘空间：最久未用的序列先被移除</translation>
     </message>
     <message>
         <source>GB</source>
-        <translation type="unfinished"></translation>
+        <translation>GB</translation>
     </message>
     <message>
         <source>de-identifying</source>
-        <translation type="unfinished"></translation>
+        <translation>正在去标识</translation>
     </message>
     <message>
         <source>listing files</source>
-        <translation type="unfinished"></translation>
+        <translation>正在列出文件</translation>
     </message>
 </context>
 <context>
@@ -3675,23 +3675,23 @@ Cosine of the angle to the nearest of the six</source>
     </message>
     <message>
         <source>Send to archi&amp;ve…</source>
-        <translation type="unfinished"></translation>
+        <translation>发送到归档(&amp;V)…</translation>
     </message>
     <message>
         <source>The open series and its labels, to a server of the panel Archive</source>
-        <translation type="unfinished"></translation>
+        <translation>已打开的序列及其标签，发送到“归档”面板中的服务器</translation>
     </message>
     <message>
         <source>They are kept in</source>
-        <translation type="unfinished"></translation>
+        <translation>它们保存在</translation>
     </message>
     <message>
         <source>V</source>
-        <translation type="unfinished"></translation>
+        <translation>V</translation>
     </message>
     <message>
         <source>Shift+V</source>
-        <translation type="unfinished"></translation>
+        <translation>Shift+V</translation>
     </message>
 </context>
 <context>
@@ -3717,173 +3717,173 @@ Cosine of the angle to the nearest of the six</source>
     <name>fenestra::viewer::ArchiveDock</name>
     <message>
         <source>Archive</source>
-        <translation type="unfinished"></translation>
+        <translation>归档</translation>
     </message>
 </context>
 <context>
     <name>fenestra::viewer::ArchiveModel</name>
     <message>
         <source>Patient %1</source>
-        <translation type="unfinished">患者 %1</translation>
+        <translation>患者 %1</translation>
     </message>
     <message>
         <source>No name</source>
-        <translation type="unfinished"></translation>
+        <translation>无姓名</translation>
     </message>
     <message>
         <source>Study %1</source>
-        <translation type="unfinished"></translation>
+        <translation>检查 %1</translation>
     </message>
     <message>
         <source>Series %1</source>
-        <translation type="unfinished"></translation>
+        <translation>序列 %1</translation>
     </message>
     <message>
         <source>Born %1</source>
-        <translation type="unfinished"></translation>
+        <translation>出生 %1</translation>
     </message>
     <message>
         <source>Sex %1</source>
-        <translation type="unfinished"></translation>
+        <translation>性别 %1</translation>
     </message>
     <message>
         <source>Accession number %1</source>
-        <translation type="unfinished"></translation>
+        <translation>检查号 %1</translation>
     </message>
     <message>
         <source>Study ID %1</source>
-        <translation type="unfinished"></translation>
+        <translation>检查 ID %1</translation>
     </message>
     <message>
         <source>Part of the body: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>身体部位：%1</translation>
     </message>
     <message>
         <source>Protocol: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>协议：%1</translation>
     </message>
     <message>
         <source>Patient, study</source>
-        <translation type="unfinished"></translation>
+        <translation>患者，检查</translation>
     </message>
     <message>
         <source>Date</source>
-        <translation type="unfinished">日期</translation>
+        <translation>日期</translation>
     </message>
     <message>
         <source>Type</source>
-        <translation type="unfinished">类型</translation>
+        <translation>类型</translation>
     </message>
     <message>
         <source>Images</source>
-        <translation type="unfinished">图像数</translation>
+        <translation>图像</translation>
     </message>
 </context>
 <context>
     <name>fenestra::viewer::ArchivePanel</name>
     <message>
         <source>No server is entered, so nothing goes over the network. Add the archive server (PACS) that holds your studies; its administrator knows what to enter.</source>
-        <translation type="unfinished"></translation>
+        <translation>尚未登记服务器，因此不使用网络。请添加保存您检查的归档服务器（PACS）；其管理员知道应填写的内容。</translation>
     </message>
     <message>
         <source>Searching…</source>
-        <translation type="unfinished"></translation>
+        <translation>正在搜索…</translation>
     </message>
     <message>
         <source>Cancelled.</source>
-        <translation type="unfinished"></translation>
+        <translation>已取消。</translation>
     </message>
     <message>
         <source>The archive server that is asked</source>
-        <translation type="unfinished"></translation>
+        <translation>要查询的归档服务器</translation>
     </message>
     <message>
         <source>Test</source>
-        <translation type="unfinished"></translation>
+        <translation>测试</translation>
     </message>
     <message>
         <source>Asks the server whether it answers (echo), and says what is wrong</source>
-        <translation type="unfinished"></translation>
+        <translation>询问服务器是否应答（echo），并说明问题所在</translation>
     </message>
     <message>
         <source>Servers</source>
-        <translation type="unfinished"></translation>
+        <translation>服务器</translation>
     </message>
     <message>
         <source>Add, edit and remove servers</source>
-        <translation type="unfinished"></translation>
+        <translation>添加、编辑和移除服务器</translation>
     </message>
     <message>
         <source>Add a server…</source>
-        <translation type="unfinished"></translation>
+        <translation>添加服务器…</translation>
     </message>
     <message>
         <source>Edit…</source>
-        <translation type="unfinished"></translation>
+        <translation>编辑…</translation>
     </message>
     <message>
         <source>Remove</source>
-        <translation type="unfinished">移除</translation>
+        <translation>移除</translation>
     </message>
     <message>
         <source>Remove the server</source>
-        <translation type="unfinished"></translation>
+        <translation>移除该服务器</translation>
     </message>
     <message>
         <source>Remove %1?</source>
-        <translation type="unfinished"></translation>
+        <translation>移除 %1？</translation>
     </message>
     <message>
         <source>Images</source>
-        <translation type="unfinished">图像数</translation>
+        <translation>图像</translation>
     </message>
     <message>
         <source>Open</source>
-        <translation type="unfinished">打开</translation>
+        <translation>打开</translation>
     </message>
     <message>
         <source>Retrieves the study or series, and opens it once it is whole (double-click, or drag onto a view)</source>
-        <translation type="unfinished"></translation>
+        <translation>获取检查或序列，完整后打开（双击，或拖到视图上）</translation>
     </message>
     <message>
         <source>Retrieve</source>
-        <translation type="unfinished"></translation>
+        <translation>获取</translation>
     </message>
     <message>
         <source>Fetches what is selected into the cache, to be opened later</source>
-        <translation type="unfinished"></translation>
+        <translation>将所选内容取到缓存，以便稍后打开</translation>
     </message>
     <message>
         <source>More…</source>
-        <translation type="unfinished"></translation>
+        <translation>更多…</translation>
     </message>
     <message>
         <source>Asks for more of the studies that match</source>
-        <translation type="unfinished"></translation>
+        <translation>查询更多匹配的检查</translation>
     </message>
     <message>
         <source>Asking %1…</source>
-        <translation type="unfinished"></translation>
+        <translation>正在查询 %1…</translation>
     </message>
     <message>
         <source>%1 answers, in %2 ms.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 应答，用时 %2 ms。</translation>
     </message>
     <message>
         <source>Nothing matches. Check the spelling; an asterisk stands for any text, as in *jane*.</source>
-        <translation type="unfinished"></translation>
+        <translation>没有匹配。请检查拼写；星号代表任意文本，如 *jane*。</translation>
     </message>
     <message>
         <source>Studies: %1, of patients: %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>检查：%1，患者：%2。</translation>
     </message>
     <message>
         <source>There are more: narrow the search, or ask for more.</source>
-        <translation type="unfinished"></translation>
+        <translation>还有更多：请缩小搜索范围，或查询更多。</translation>
     </message>
     <message>
         <source>The server does not match by some of the fields.</source>
-        <translation type="unfinished"></translation>
+        <translation>服务器不按其中某些字段匹配。</translation>
     </message>
 </context>
 <context>
@@ -4043,39 +4043,39 @@ Cosine of the angle to the nearest of the six</source>
     <name>fenestra::viewer::CacheRow</name>
     <message>
         <source>Move…</source>
-        <translation type="unfinished"></translation>
+        <translation>移动…</translation>
     </message>
     <message>
         <source>Chooses where objects are kept from now on; those of before stay where they are</source>
-        <translation type="unfinished"></translation>
+        <translation>选择今后保存对象的位置；以前的保留在原处</translation>
     </message>
     <message>
         <source>Keep objects of archives in</source>
-        <translation type="unfinished"></translation>
+        <translation>归档对象保存在</translation>
     </message>
     <message>
         <source>Clear</source>
-        <translation type="unfinished"></translation>
+        <translation>清空</translation>
     </message>
     <message>
         <source>Removes all objects that were retrieved; not while some come in</source>
-        <translation type="unfinished"></translation>
+        <translation>移除所有已获取的对象；有对象正在传入时除外</translation>
     </message>
     <message>
         <source>Remove all objects that were retrieved? The servers still have them, but sessions that refer to them find their data no more.</source>
-        <translation type="unfinished"></translation>
+        <translation>移除所有已获取的对象？服务器上仍有它们，但引用它们的会话将找不到数据。</translation>
     </message>
     <message>
         <source>Clears…</source>
-        <translation type="unfinished"></translation>
+        <translation>正在清空…</translation>
     </message>
     <message>
         <source>Counts…</source>
-        <translation type="unfinished"></translation>
+        <translation>正在统计…</translation>
     </message>
     <message>
         <source>%1 in %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1，位于 %2</translation>
     </message>
 </context>
 <context>
@@ -5470,464 +5470,464 @@ Off: first the best view, then the best one beside it</source>
     <name>fenestra::viewer::RetrievalRow</name>
     <message>
         <source>Pause</source>
-        <translation type="unfinished"></translation>
+        <translation>暂停</translation>
     </message>
     <message>
         <source>Go on</source>
-        <translation type="unfinished"></translation>
+        <translation>继续</translation>
     </message>
     <message>
         <source>Retry</source>
-        <translation type="unfinished"></translation>
+        <translation>重试</translation>
     </message>
     <message>
         <source>Open</source>
-        <translation type="unfinished">打开</translation>
+        <translation>打开</translation>
     </message>
     <message>
         <source>Waits for others</source>
-        <translation type="unfinished"></translation>
+        <translation>等待其他任务</translation>
     </message>
     <message>
         <source>Stops…</source>
-        <translation type="unfinished"></translation>
+        <translation>正在停止…</translation>
     </message>
     <message>
         <source>Paused; what came is kept</source>
-        <translation type="unfinished"></translation>
+        <translation>已暂停；已收到的保留</translation>
     </message>
     <message>
         <source>Whole</source>
-        <translation type="unfinished"></translation>
+        <translation>完整</translation>
     </message>
     <message>
         <source>Cancels it, and takes it out of the list. What came stays in the cache</source>
-        <translation type="unfinished"></translation>
+        <translation>取消并从列表中移除。已收到的保留在缓存中</translation>
     </message>
     <message>
         <source>Retrieval %1</source>
-        <translation type="unfinished"></translation>
+        <translation>获取 %1</translation>
     </message>
 </context>
 <context>
     <name>fenestra::viewer::Retrievals</name>
     <message>
         <source>The server needs a login.</source>
-        <translation type="unfinished"></translation>
+        <translation>服务器要求登录。</translation>
     </message>
     <message>
         <source>Its server is no longer in the list.</source>
-        <translation type="unfinished"></translation>
+        <translation>其服务器已不在列表中。</translation>
     </message>
 </context>
 <context>
     <name>fenestra::viewer::SearchForm</name>
     <message>
         <source>Search</source>
-        <translation type="unfinished"></translation>
+        <translation>搜索</translation>
     </message>
     <message>
         <source>Asks the server for the studies that match. Empty fields match all (Return)</source>
-        <translation type="unfinished"></translation>
+        <translation>向服务器查询匹配的检查。空字段匹配全部（回车）</translation>
     </message>
     <message>
         <source>Saved searches</source>
-        <translation type="unfinished"></translation>
+        <translation>已保存的搜索</translation>
     </message>
     <message>
         <source>Searches under a name. A patient&apos;s name, ID and accession number are not saved</source>
-        <translation type="unfinished"></translation>
+        <translation>以名称保存的搜索。患者姓名、ID 和检查号不会保存</translation>
     </message>
     <message>
         <source>Name</source>
-        <translation type="unfinished">名称</translation>
+        <translation>姓名</translation>
     </message>
     <message>
         <source>ID</source>
-        <translation type="unfinished"></translation>
+        <translation>ID</translation>
     </message>
     <message>
         <source>Accession</source>
-        <translation type="unfinished"></translation>
+        <translation>检查号</translation>
     </message>
     <message>
         <source>Date</source>
-        <translation type="unfinished">日期</translation>
+        <translation>日期</translation>
     </message>
     <message>
         <source>Type</source>
-        <translation type="unfinished">类型</translation>
+        <translation>类型</translation>
     </message>
     <message>
         <source>Description</source>
-        <translation type="unfinished">描述</translation>
+        <translation>描述</translation>
     </message>
     <message>
         <source>An asterisk stands for any text, a question mark for one character</source>
-        <translation type="unfinished"></translation>
+        <translation>星号代表任意文本，问号代表一个字符</translation>
     </message>
     <message>
         <source>Family name, or &quot;Doe, Jane&quot;: all names that begin so. %1, as in *jane*</source>
-        <translation type="unfinished"></translation>
+        <translation>姓氏，或“Doe, Jane”：以此开头的所有姓名。%1，如 *jane*</translation>
     </message>
     <message>
         <source>The patient&apos;s ID as it is. %1, as in 47*</source>
-        <translation type="unfinished"></translation>
+        <translation>患者 ID 原样。%1，如 47*</translation>
     </message>
     <message>
         <source>The accession number as it is. %1, as in A2024*</source>
-        <translation type="unfinished"></translation>
+        <translation>检查号原样。%1，如 A2024*</translation>
     </message>
     <message>
         <source>All descriptions of studies that hold this text. %1, as in head*</source>
-        <translation type="unfinished"></translation>
+        <translation>包含此文本的所有检查描述。%1，如 head*</translation>
     </message>
     <message>
         <source>The kind of images that the study holds</source>
-        <translation type="unfinished"></translation>
+        <translation>检查所含图像的类型</translation>
     </message>
     <message>
         <source>Any</source>
-        <translation type="unfinished"></translation>
+        <translation>任意</translation>
     </message>
     <message>
         <source>When the study was made</source>
-        <translation type="unfinished"></translation>
+        <translation>检查的日期</translation>
     </message>
     <message>
         <source>Today</source>
-        <translation type="unfinished"></translation>
+        <translation>今天</translation>
     </message>
     <message>
         <source>Last 7 days</source>
-        <translation type="unfinished"></translation>
+        <translation>最近 7 天</translation>
     </message>
     <message>
         <source>Last 30 days</source>
-        <translation type="unfinished"></translation>
+        <translation>最近 30 天</translation>
     </message>
     <message>
         <source>Last 365 days</source>
-        <translation type="unfinished"></translation>
+        <translation>最近 365 天</translation>
     </message>
     <message>
         <source>From … to</source>
-        <translation type="unfinished"></translation>
+        <translation>从 … 到</translation>
     </message>
     <message>
         <source>First day</source>
-        <translation type="unfinished"></translation>
+        <translation>第一天</translation>
     </message>
     <message>
         <source>Last day</source>
-        <translation type="unfinished"></translation>
+        <translation>最后一天</translation>
     </message>
     <message>
         <source>Cancel</source>
-        <translation type="unfinished">取消</translation>
+        <translation>取消</translation>
     </message>
     <message>
         <source>Save this search…</source>
-        <translation type="unfinished"></translation>
+        <translation>保存此搜索…</translation>
     </message>
     <message>
         <source>Save this search</source>
-        <translation type="unfinished"></translation>
+        <translation>保存此搜索</translation>
     </message>
     <message>
         <source>Its name (date, type and description are saved, nothing of a patient):</source>
-        <translation type="unfinished"></translation>
+        <translation>其名称（保存日期、类型和描述，不保存患者信息）：</translation>
     </message>
     <message>
         <source>Forget</source>
-        <translation type="unfinished"></translation>
+        <translation>忘记</translation>
     </message>
 </context>
 <context>
     <name>fenestra::viewer::SendDialog</name>
     <message>
         <source>Nothing is open.</source>
-        <translation type="unfinished"></translation>
+        <translation>没有打开任何内容。</translation>
     </message>
     <message>
         <source>What is open is not DICOM, and archives keep nothing else.</source>
-        <translation type="unfinished"></translation>
+        <translation>已打开的内容不是 DICOM，而归档只保存 DICOM。</translation>
     </message>
     <message>
         <source>Send to an archive</source>
-        <translation type="unfinished"></translation>
+        <translation>发送到归档</translation>
     </message>
     <message>
         <source>Object</source>
-        <translation type="unfinished"></translation>
+        <translation>对象</translation>
     </message>
     <message>
         <source>Answer of the server</source>
-        <translation type="unfinished"></translation>
+        <translation>服务器的应答</translation>
     </message>
     <message>
         <source>Send</source>
-        <translation type="unfinished"></translation>
+        <translation>发送</translation>
     </message>
     <message>
         <source>The server that gets the objects</source>
-        <translation type="unfinished"></translation>
+        <translation>接收对象的服务器</translation>
     </message>
     <message>
         <source>The open series, images: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>已打开的序列，图像：%1</translation>
     </message>
     <message>
         <source>Its files as they are</source>
-        <translation type="unfinished"></translation>
+        <translation>其文件原样</translation>
     </message>
     <message>
         <source>All labels, as a DICOM segmentation</source>
-        <translation type="unfinished"></translation>
+        <translation>所有标签，作为 DICOM 分割</translation>
     </message>
     <message>
         <source>With their names and colours, for the patient and the series that are open</source>
-        <translation type="unfinished"></translation>
+        <translation>带有名称和颜色，对应已打开的患者和序列</translation>
     </message>
     <message>
         <source>The objects hold the patient&apos;s name and ID: an archive files them by these.</source>
-        <translation type="unfinished"></translation>
+        <translation>对象含有患者姓名和 ID：归档据此归类。</translation>
     </message>
     <message>
         <source>Server</source>
-        <translation type="unfinished"></translation>
+        <translation>服务器</translation>
     </message>
     <message>
         <source>Image %1</source>
-        <translation type="unfinished"></translation>
+        <translation>图像 %1</translation>
     </message>
     <message>
         <source>Labels</source>
-        <translation type="unfinished"></translation>
+        <translation>标签</translation>
     </message>
     <message>
         <source>accepted</source>
-        <translation type="unfinished"></translation>
+        <translation>已接受</translation>
     </message>
     <message>
         <source>refused</source>
-        <translation type="unfinished"></translation>
+        <translation>已拒绝</translation>
     </message>
     <message>
         <source>Accepted: %1 of %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>已接受：%1 / %2。</translation>
     </message>
 </context>
 <context>
     <name>fenestra::viewer::SeriesPanel</name>
     <message>
         <source>Series</source>
-        <translation type="unfinished"></translation>
+        <translation>序列</translation>
     </message>
     <message>
         <source>Patient %1</source>
-        <translation type="unfinished">患者 %1</translation>
+        <translation>患者 %1</translation>
     </message>
     <message>
         <source>Patient without a name</source>
-        <translation type="unfinished"></translation>
+        <translation>无姓名的患者</translation>
     </message>
     <message>
         <source>1 image</source>
-        <translation type="unfinished"></translation>
+        <translation>1 幅图像</translation>
     </message>
     <message numerus="yes">
         <source>%n images</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n 幅图像</numerusform>
         </translation>
     </message>
     <message>
         <source>%1, open</source>
-        <translation type="unfinished"></translation>
+        <translation>%1，已打开</translation>
     </message>
 </context>
 <context>
     <name>fenestra::viewer::ServerDialog</name>
     <message>
         <source>Archive server</source>
-        <translation type="unfinished"></translation>
+        <translation>归档服务器</translation>
     </message>
     <message>
         <source>As you call it</source>
-        <translation type="unfinished"></translation>
+        <translation>您对它的称呼</translation>
     </message>
     <message>
         <source>DICOM</source>
-        <translation type="unfinished"></translation>
+        <translation>DICOM</translation>
     </message>
     <message>
         <source>DICOM over TLS</source>
-        <translation type="unfinished"></translation>
+        <translation>DICOM（TLS）</translation>
     </message>
     <message>
         <source>DICOMweb</source>
-        <translation type="unfinished"></translation>
+        <translation>DICOMweb</translation>
     </message>
     <message>
         <source>What the server speaks; its administrator knows</source>
-        <translation type="unfinished"></translation>
+        <translation>服务器使用的协议；其管理员知道</translation>
     </message>
     <message>
         <source>Name</source>
-        <translation type="unfinished">名称</translation>
+        <translation>名称</translation>
     </message>
     <message>
         <source>Speaks</source>
-        <translation type="unfinished"></translation>
+        <translation>协议</translation>
     </message>
     <message>
         <source>Its name or address in the network</source>
-        <translation type="unfinished"></translation>
+        <translation>其网络名称或地址</translation>
     </message>
     <message>
         <source>The port that it listens on</source>
-        <translation type="unfinished"></translation>
+        <translation>其监听的端口</translation>
     </message>
     <message>
         <source>Its AE title, at most 16 letters and digits</source>
-        <translation type="unfinished"></translation>
+        <translation>其 AE 标题，最多 16 个字母和数字</translation>
     </message>
     <message>
         <source>Our AE title: its administrator enters it at the server</source>
-        <translation type="unfinished"></translation>
+        <translation>我方 AE 标题：由管理员登记到服务器</translation>
     </message>
     <message>
         <source>C-GET, over our connection</source>
-        <translation type="unfinished"></translation>
+        <translation>C-GET，经由我方连接</translation>
     </message>
     <message>
         <source>C-MOVE, the server connects to us</source>
-        <translation type="unfinished"></translation>
+        <translation>C-MOVE，服务器连接我方</translation>
     </message>
     <message>
         <source>How objects come. C-GET needs nothing more; with C-MOVE our address and port are entered at the server, and the port is open while objects come</source>
-        <translation type="unfinished"></translation>
+        <translation>对象的传入方式。C-GET 无需其他设置；使用 C-MOVE 时需在服务器上登记我方地址和端口，传入对象期间端口开放</translation>
     </message>
     <message>
         <source>Address of this machine that the server sends to</source>
-        <translation type="unfinished"></translation>
+        <translation>服务器发送到的本机地址</translation>
     </message>
     <message>
         <source>Port of this machine that the server sends to</source>
-        <translation type="unfinished"></translation>
+        <translation>服务器发送到的本机端口</translation>
     </message>
     <message>
         <source>Host</source>
-        <translation type="unfinished"></translation>
+        <translation>主机</translation>
     </message>
     <message>
         <source>Port</source>
-        <translation type="unfinished"></translation>
+        <translation>端口</translation>
     </message>
     <message>
         <source>Its AE title</source>
-        <translation type="unfinished"></translation>
+        <translation>其 AE 标题</translation>
     </message>
     <message>
         <source>Our AE title</source>
-        <translation type="unfinished"></translation>
+        <translation>我方 AE 标题</translation>
     </message>
     <message>
         <source>Retrieve by</source>
-        <translation type="unfinished"></translation>
+        <translation>获取方式</translation>
     </message>
     <message>
         <source>Our address</source>
-        <translation type="unfinished"></translation>
+        <translation>我方地址</translation>
     </message>
     <message>
         <source>Our port</source>
-        <translation type="unfinished"></translation>
+        <translation>我方端口</translation>
     </message>
     <message>
         <source>The address of DICOMweb&apos;s root. A login goes out over https alone</source>
-        <translation type="unfinished"></translation>
+        <translation>DICOMweb 的根地址。登录信息仅经由 https 发送</translation>
     </message>
     <message>
         <source>None</source>
-        <translation type="unfinished"></translation>
+        <translation>无</translation>
     </message>
     <message>
         <source>User and password</source>
-        <translation type="unfinished"></translation>
+        <translation>用户名和密码</translation>
     </message>
     <message>
         <source>Token</source>
-        <translation type="unfinished"></translation>
+        <translation>令牌</translation>
     </message>
     <message>
         <source>The password or token is asked for when it is needed, and forgotten when the program ends</source>
-        <translation type="unfinished"></translation>
+        <translation>需要时询问密码或令牌，程序结束时忘记</translation>
     </message>
     <message>
         <source>Who you are to the server</source>
-        <translation type="unfinished"></translation>
+        <translation>您在服务器上的身份</translation>
     </message>
     <message>
         <source>Address</source>
-        <translation type="unfinished"></translation>
+        <translation>地址</translation>
     </message>
     <message>
         <source>Login</source>
-        <translation type="unfinished"></translation>
+        <translation>登录</translation>
     </message>
     <message>
         <source>User</source>
-        <translation type="unfinished"></translation>
+        <translation>用户</translation>
     </message>
     <message>
         <source>Certificates that may sign the server&apos;s</source>
-        <translation type="unfinished"></translation>
+        <translation>可签署服务器证书的证书</translation>
     </message>
     <message>
         <source>Certificates in PEM that may sign the server&apos;s, or its own</source>
-        <translation type="unfinished"></translation>
+        <translation>可签署服务器证书的 PEM 证书，或服务器自己的证书</translation>
     </message>
     <message>
         <source>Our certificate</source>
-        <translation type="unfinished"></translation>
+        <translation>我方证书</translation>
     </message>
     <message>
         <source>In PEM, where the server asks for one</source>
-        <translation type="unfinished"></translation>
+        <translation>PEM 格式，用于服务器要求证书时</translation>
     </message>
     <message>
         <source>The key of our certificate</source>
-        <translation type="unfinished"></translation>
+        <translation>我方证书的密钥</translation>
     </message>
     <message>
         <source>In PEM, without a passphrase</source>
-        <translation type="unfinished"></translation>
+        <translation>PEM 格式，无密码短语</translation>
     </message>
     <message>
         <source>Trusted certificates</source>
-        <translation type="unfinished"></translation>
+        <translation>受信任的证书</translation>
     </message>
     <message>
         <source>Its key</source>
-        <translation type="unfinished"></translation>
+        <translation>其密钥</translation>
     </message>
     <message>
         <source>Choose the file</source>
-        <translation type="unfinished"></translation>
+        <translation>选择文件</translation>
     </message>
     <message>
         <source>Certificates and keys (*.pem *.crt *.cer *.key);;All files (*)</source>
-        <translation type="unfinished"></translation>
+        <translation>证书和密钥 (*.pem *.crt *.cer *.key);;所有文件 (*)</translation>
     </message>
     <message>
         <source>Token for %1:</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 的令牌：</translation>
     </message>
     <message>
         <source>Password of %1 for %2:</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 在 %2 的密码：</translation>
     </message>
 </context>
 <context>
