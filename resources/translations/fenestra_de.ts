@@ -3265,7 +3265,7 @@ Kosinus des Winkels zur nächsten der sechs</translation>
     </message>
     <message>
         <source>F&amp;ull screen</source>
-        <translation>&amp;Vollbild</translation>
+        <translation>Vollbild</translation>
     </message>
     <message>
         <source>F11</source>
@@ -3409,7 +3409,7 @@ Kosinus des Winkels zur nächsten der sechs</translation>
     </message>
     <message>
         <source>&amp;Slices</source>
-        <translation>S&amp;chichten</translation>
+        <translation>Schichten</translation>
     </message>
     <message>
         <source>Face C&amp;1</source>
@@ -3485,11 +3485,11 @@ Kosinus des Winkels zur nächsten der sechs</translation>
     </message>
     <message>
         <source>&amp;Next view</source>
-        <translation>Näc&amp;hste Ansicht</translation>
+        <translation>Nächste Ansicht</translation>
     </message>
     <message>
         <source>Pre&amp;vious view</source>
-        <translation>V&amp;orige Ansicht</translation>
+        <translation>Vorige Ansicht</translation>
     </message>
     <message>
         <source>&amp;Keep this layout…</source>
@@ -3676,7 +3676,7 @@ Kosinus des Winkels zur nächsten der sechs</translation>
     </message>
     <message>
         <source>Send to archi&amp;ve…</source>
-        <translation>An ein Archi&amp;v senden…</translation>
+        <translation>An ein Archiv senden…</translation>
     </message>
     <message>
         <source>The open series and its labels, to a server of the panel Archive</source>

@@ -44,6 +44,8 @@ TEST_F(CloseStudy, LetsGoOfVoxelsAndLabels) {
   open(markedBall());
   EXPECT_FALSE(isWelcoming());
   EXPECT_TRUE(std::holds_alternative<std::monostate>(document().focus()));
+  document().focusOn(marker);
+  waitUntilDrawn();
   EXPECT_TRUE(green(this->volume(0))) << "it is drawn as before";
   EXPECT_TRUE(entry("Close study")->isEnabled());
 }

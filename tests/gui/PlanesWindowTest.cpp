@@ -134,7 +134,8 @@ TEST_F(PlanesWindow, ThePictureStaysAroundTheCrosshairWhileItsPlaneTurns) {
   cursor().step(coronal()->sliceGeometry(), 3);
   EXPECT_LT(QLineF(after, coronal()->widgetFromWorld(cursor().position())).length(), 1e-6);
   options().setLabels(true);
-  // The green square is where the marker is.
+  // The green square is where the marker is; in focus its tint is strong enough to be told from white.
+  document().focusOn(marker);
   cursor().moveTo(markerCentre);
   const std::optional<QPointF> green = this->green(coronal());
   ASSERT_TRUE(green);

@@ -137,7 +137,8 @@ std::map<std::string, SettingOwnersWindow::Probe> SettingOwnersWindow::probes() 
         [this, poseBefore] { return cameras().pose() != poseBefore || cameras().frozen()[0].has_value(); }}},
       {"Flips and turns of slices",
        {[this] { slice(SlicePlane::Axial)->turnClockwise(); },
-        [this] { return slice(SlicePlane::Axial)->turn() != SliceView::Turn{}; }}},
+        // Neurological convention mirrors, too, and is a habit.
+        [this] { return slice(SlicePlane::Axial)->turn().quarters != 0; }}},
       {"Undo",
        {[this] { edit([](Look& l) { l.shading.ambient = 0.4; }); },
         [this] { return document().undoStack().canUndo(); }}},

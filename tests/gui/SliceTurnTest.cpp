@@ -42,6 +42,7 @@ class SliceTurn : public Window {
 }  // namespace
 
 TEST_F(SliceTurn, FlipsAndTurnsShowAndAnswerAlike) {
+  document().focusOn(marker);  // its tint is strong enough to be told from white
   cursor().moveTo(markerCentre);
   waitUntilDrawn();
   const QPointF before = place();

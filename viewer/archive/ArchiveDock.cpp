@@ -12,6 +12,7 @@
 #include "viewer/archive/ServerDialog.h"
 #include "viewer/bars/StudyDialogs.h"
 #include "viewer/model/Workspace.h"
+#include "viewer/panels/ScrollingPanel.h"
 
 namespace fenestra::viewer {
 
@@ -61,7 +62,9 @@ ArchivePanel& ArchiveDock::panel() {
   const auto follow = [this] { panel_->setHidesPatient(workspace_.options.hidesPatient()); };
   connect(&workspace_.options, &ViewOptions::changed, panel_, follow);
   follow();
-  setWidget(panel_);
+  auto* scroller = new ScrollingPanel;  // beside all other panels a low window leaves it little height
+  scroller->setBody(panel_);
+  setWidget(scroller);
   window_.installEventFilter(this);
   return *panel_;
 }
