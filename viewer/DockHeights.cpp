@@ -57,11 +57,6 @@ void DockHeights::reset() {
   share();
 }
 
-void DockHeights::adapt() {
-  if (!isUsers_ && !std::exchange(isDue_, true))
-    QMetaObject::invokeMethod(this, &DockHeights::share, Qt::QueuedConnection);
-}
-
 void DockHeights::share() {
   isDue_ = false;
   const std::vector<QDockWidget*> docks = shown();

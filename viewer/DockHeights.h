@@ -19,8 +19,6 @@ class DockHeights : public QObject {
   void keepWhatTheUserChose() { checks_ = true; }
   /// Shares the height anew, also where the user has moved a border.
   void reset();
-  /// A dock was folded or unfolded: shares the height, unless the user has moved a border.
-  void adapt();
 
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;

@@ -76,7 +76,8 @@ Panels makePanels(QMainWindow& window, Workspace& workspace) {
   panels.heights = new DockHeights(window, {focus, context, cutaway});
   const QList<QDockWidget*> docks = window.findChildren<QDockWidget*>();
   panels.folding = new DockFolding(window, {docks.begin(), docks.end()});
-  QObject::connect(panels.folding, &DockFolding::changed, panels.heights, &DockHeights::adapt);
+  // Queued: the panels have their new hints once the layout has seen what was hidden.
+  QObject::connect(panels.folding, &DockFolding::changed, panels.heights, &DockHeights::reset, Qt::QueuedConnection);
   QObject::connect(&workspace.brush, &Brush::activeChanged, brush, [brush, folding = panels.folding](bool active) {
     if (active) folding->setFolded(*brush, false);
   });

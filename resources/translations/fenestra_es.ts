@@ -3393,7 +3393,7 @@ Coseno del ángulo con la más próxima de las seis</translation>
     </message>
     <message>
         <source>&amp;Hide the patient</source>
-        <translation>Ocultar &amp;al paciente</translation>
+        <translation>Ocultar al paciente</translation>
     </message>
     <message>
         <source>H</source>
@@ -3409,7 +3409,7 @@ Coseno del ángulo con la más próxima de las seis</translation>
     </message>
     <message>
         <source>&amp;Slices</source>
-        <translation>C&amp;ortes</translation>
+        <translation>Cortes</translation>
     </message>
     <message>
         <source>Face C&amp;1</source>
@@ -3485,11 +3485,11 @@ Coseno del ángulo con la más próxima de las seis</translation>
     </message>
     <message>
         <source>&amp;Next view</source>
-        <translation>&amp;Vista siguiente</translation>
+        <translation>Vista siguiente</translation>
     </message>
     <message>
         <source>Pre&amp;vious view</source>
-        <translation>V&amp;ista anterior</translation>
+        <translation>Vista anterior</translation>
     </message>
     <message>
         <source>&amp;Keep this layout…</source>
@@ -3588,7 +3588,7 @@ Coseno del ángulo con la más próxima de las seis</translation>
     </message>
     <message>
         <source>Change &amp;keys…</source>
-        <translation>&amp;Cambiar teclas…</translation>
+        <translation>Cambiar teclas…</translation>
     </message>
     <message>
         <source>%1  (%2 % to %3 % of the values)</source>
@@ -3676,7 +3676,7 @@ Coseno del ángulo con la más próxima de las seis</translation>
     </message>
     <message>
         <source>Send to archi&amp;ve…</source>
-        <translation>En&amp;viar al archivo…</translation>
+        <translation>Enviar al archivo…</translation>
     </message>
     <message>
         <source>The open series and its labels, to a server of the panel Archive</source>

@@ -3265,7 +3265,7 @@ Cosinus de l&apos;angle avec la plus proche des six</translation>
     </message>
     <message>
         <source>F&amp;ull screen</source>
-        <translation>&amp;Plein écran</translation>
+        <translation>Plein écran</translation>
     </message>
     <message>
         <source>F11</source>
@@ -3409,7 +3409,7 @@ Cosinus de l&apos;angle avec la plus proche des six</translation>
     </message>
     <message>
         <source>&amp;Slices</source>
-        <translation>Co&amp;upes</translation>
+        <translation>Coupes</translation>
     </message>
     <message>
         <source>Face C&amp;1</source>
@@ -3485,7 +3485,7 @@ Cosinus de l&apos;angle avec la plus proche des six</translation>
     </message>
     <message>
         <source>&amp;Next view</source>
-        <translation>&amp;Vue suivante</translation>
+        <translation>Vue suivante</translation>
     </message>
     <message>
         <source>Pre&amp;vious view</source>
@@ -3588,7 +3588,7 @@ Cosinus de l&apos;angle avec la plus proche des six</translation>
     </message>
     <message>
         <source>Change &amp;keys…</source>
-        <translation>&amp;Changer les touches…</translation>
+        <translation>Changer les touches…</translation>
     </message>
     <message>
         <source>%1  (%2 % to %3 % of the values)</source>
@@ -3676,7 +3676,7 @@ Cosinus de l&apos;angle avec la plus proche des six</translation>
     </message>
     <message>
         <source>Send to archi&amp;ve…</source>
-        <translation>En&amp;voyer à l’archive…</translation>
+        <translation>Envoyer à l’archive…</translation>
     </message>
     <message>
         <source>The open series and its labels, to a server of the panel Archive</source>

@@ -88,7 +88,7 @@ TEST_F(ArrangementWindow, KeepsTheSizesOfEach) {
   waitUntilDrawn();
   auto* rows = qobject_cast<QSplitter*>(volume(0)->parentWidget()->parentWidget());
   ASSERT_TRUE(rows);
-  rows->setSizes({400, 400});
+  rows->setSizes({600, 200});
   waitUntilDrawn();
   const int width = volume(0)->width();
   views().arrange(*findArrangement("pair"));

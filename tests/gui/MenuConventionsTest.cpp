@@ -264,6 +264,7 @@ Conventions::Cases Conventions::menuCases() {
                                                        {"B", MeasureKind::Rectangle}};
   for (const auto& tool : tools)
     cases[tool.first] = [this, tool] {
+      waitUntilDrawn();  // Esc would stop what is under way first
       press(tool.first);
       EXPECT_EQ(measuring().kind(), tool.second);
       press("Esc");

@@ -241,7 +241,7 @@ TEST_F(PlanesWindow, ASliceFacesACameraWhileItTurns) {
   EXPECT_EQ(gradeOf(axial()->fidelity()), Fidelity::Faithful) << "at rest";
   QTest::keyClick(axial(), Qt::Key_F, Qt::ShiftModifier);
   EXPECT_EQ(planes().pose(SlicePlane::Axial).follow, PlaneFollow::None);
-  QTest::keyClick(axial(), Qt::Key_N);
+  QTest::keyClick(axial(), Qt::Key_V);
   EXPECT_FALSE(planes().isTurned(SlicePlane::Axial));
 }
 

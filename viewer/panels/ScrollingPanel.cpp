@@ -9,6 +9,7 @@
 namespace fenestra::viewer {
 
 void ScrollingPanel::setBody(QWidget* body) {
+  setFocusPolicy(Qt::NoFocus);  // its controls have the keyboard, and come into sight with it
   setWidget(body);
   setWidgetResizable(true);
   setFrameShape(QFrame::NoFrame);
