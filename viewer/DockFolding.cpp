@@ -17,7 +17,7 @@ DockFolding::DockFolding(QMainWindow& window, std::vector<QDockWidget*> docks) :
     button->setArrowType(Qt::DownArrow);
     button->setFocusPolicy(Qt::TabFocus);
     button->setAccessibleName(tr("Fold %1").arg(dock->windowTitle()));
-    button->setToolTip(tr("Folds this panel to its title, so that those above have more room"));
+    button->setToolTip(tr("Folds this panel to its title, so that others have more room"));
     connect(button, &QToolButton::toggled, this, [this, dock](bool on) { setFolded(*dock, on); });
     dock->installEventFilter(this);
     folds_.push_back({dock, button});

@@ -1,5 +1,5 @@
 #pragma once
-// Folds panels to their titles, by a button in the title: what lies above gets the room. Panels that share a place by
+// Folds panels to their titles, by a button in the title: others get the room. Panels that share a place by
 // tabs fold together.
 
 #include <vector>

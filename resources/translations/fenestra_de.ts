@@ -4360,7 +4360,7 @@ Kosinus des Winkels zur nächsten der sechs</translation>
         <translation>%1 einklappen</translation>
     </message>
     <message>
-        <source>Folds this panel to its title, so that those above have more room</source>
+        <source>Folds this panel to its title, so that others have more room</source>
         <translation>Klappt dieses Panel auf seinen Titel ein, damit die darüber mehr Platz haben</translation>
     </message>
 </context>

@@ -4360,7 +4360,7 @@ Coseno del ángulo con la más próxima de las seis</translation>
         <translation>Plegar %1</translation>
     </message>
     <message>
-        <source>Folds this panel to its title, so that those above have more room</source>
+        <source>Folds this panel to its title, so that others have more room</source>
         <translation>Pliega este panel a su título, para dar más sitio a los de arriba</translation>
     </message>
 </context>

@@ -4360,7 +4360,7 @@ Cosinus de l&apos;angle avec la plus proche des six</translation>
         <translation>Replier %1</translation>
     </message>
     <message>
-        <source>Folds this panel to its title, so that those above have more room</source>
+        <source>Folds this panel to its title, so that others have more room</source>
         <translation>Replie ce panneau sur son titre, pour laisser plus de place à ceux du dessus</translation>
     </message>
 </context>

@@ -4359,7 +4359,7 @@ Cosine of the angle to the nearest of the six</source>
         <translation>折叠%1</translation>
     </message>
     <message>
-        <source>Folds this panel to its title, so that those above have more room</source>
+        <source>Folds this panel to its title, so that others have more room</source>
         <translation>将此面板折叠为标题，为上方面板腾出空间</translation>
     </message>
 </context>

@@ -382,7 +382,9 @@ void Conventions::addGesturesOfAllViews(Cases& cases) {
   cases["All views: Right click"] = [this] {
     int asked = 0;
     QObject::disconnect(&views(), &ViewArea::menuRequested, nullptr, nullptr);
+    QObject::disconnect(&views(), &ViewArea::sliceMenuRequested, nullptr, nullptr);
     QObject::connect(&views(), &ViewArea::menuRequested, [&] { ++asked; });
+    QObject::connect(&views(), &ViewArea::sliceMenuRequested, [&] { ++asked; });
     QTest::mouseClick(axial(), Qt::RightButton, {}, at({-10, 10, cursor().position().z}));
     EXPECT_EQ(asked, 1);
     press("Ctrl+R");
@@ -390,6 +392,7 @@ void Conventions::addGesturesOfAllViews(Cases& cases) {
     QTest::mouseClick(volume(0), Qt::RightButton, {}, volume(0)->widgetFromWorld({0, -40, 0}).value().toPoint());
     EXPECT_EQ(asked, 2);
     QObject::disconnect(&views(), &ViewArea::menuRequested, nullptr, nullptr);
+    QObject::disconnect(&views(), &ViewArea::sliceMenuRequested, nullptr, nullptr);
   };
   cases["All views: Shift+move"] = [this] {
     press("Ctrl+R");

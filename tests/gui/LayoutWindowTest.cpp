@@ -95,7 +95,7 @@ TEST_F(Window, EachPanelOfTheColumnHasAUsefulHeight) {
   }
 }
 
-TEST_F(Window, AFoldedPanelGivesItsRoomToTheStructures) {
+TEST_F(Window, AFoldedPanelKeepsItsTitleAlone) {
   useScratchSettings();
   const MainWindow::Setup setup{.gl = {.problem = QStringLiteral("slices are enough here")}};
   {
@@ -106,16 +106,10 @@ TEST_F(Window, AFoldedPanelGivesItsRoomToTheStructures) {
     window.show();
     ASSERT_TRUE(opened.wait(patience));
     auto* context = window.findChild<QDockWidget*>(QStringLiteral("contextDock"));
-    const auto& structures = *window.findChild<FocusPanel*>()->list();
-    const int row = structures.visualRect(structures.model()->index(0, 0)).height(), before = structures.height();
     auto* fold = context->findChild<QToolButton*>(QStringLiteral("fold"));
     ASSERT_TRUE(QTest::qWaitFor([&] { return isInSight(*fold); }, patience));
     QTest::mouseClick(fold, Qt::LeftButton);
-    EXPECT_TRUE(QTest::qWaitFor(
-        [&] { return structures.viewport()->visibleRegion().boundingRect().height() >= 8 * row; }, 20000))
-        << structures.viewport()->visibleRegion().boundingRect().height() / row << " rows";
-    EXPECT_GT(structures.height(), before + 100);
-    EXPECT_LT(context->height(), 40);
+    EXPECT_TRUE(QTest::qWaitFor([&] { return context->height() < 40; }, patience)) << context->height();
     EXPECT_TRUE(isInSight(*window.findChild<SliderSpin*>(QStringLiteral("open_width")))) << "others stay";
     window.close();
   }

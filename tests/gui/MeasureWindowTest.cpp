@@ -166,9 +166,9 @@ TEST_F(MeasureWindow, ARightClickOnAMeasureOpensItsMenu) {
   std::optional<std::size_t> asked;
   bool structure = false;
   QObject::disconnect(&views(), &ViewArea::measureMenuRequested, nullptr, nullptr);
-  QObject::disconnect(&views(), &ViewArea::menuRequested, nullptr, nullptr);
+  QObject::disconnect(&views(), &ViewArea::sliceMenuRequested, nullptr, nullptr);
   QObject::connect(&views(), &ViewArea::measureMenuRequested, [&](std::size_t measure, QPoint) { asked = measure; });
-  QObject::connect(&views(), &ViewArea::menuRequested, [&] { structure = true; });
+  QObject::connect(&views(), &ViewArea::sliceMenuRequested, [&] { structure = true; });
   QTest::mouseClick(axial(), Qt::RightButton, {}, (from_ + to_) / 2);
   EXPECT_EQ(asked, 0u);
   EXPECT_FALSE(structure);

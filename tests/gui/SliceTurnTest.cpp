@@ -113,6 +113,7 @@ TEST_F(SliceTurn, AMeasureIsAsLongHoweverThePictureLies) {
 }
 
 TEST_F(SliceTurn, NeurologicalHasLeftOnTheLeftAndSaysSo) {
+  document().focusOn(marker);
   cursor().moveTo(markerCentre);
   waitUntilDrawn();
   const QPointF before = place();
