@@ -92,7 +92,7 @@ TEST_F(DeidentifyCommand, SaysThatTheDiskIsFullAndLeavesNothing) {
   fs::create_directories(at("small"));
   const std::string command = "unshare -m sh -c \"mount -t tmpfs -o size=4k none '" + at("small") + "' && '" +
                               FENESTRA_CLI + "' deidentify '" + at("in") + "' -o '" + at("small/out") +
-                              "'; echo exit $?; ls -A '" + at("small") + "'\" > '" + at("log") + "' 2>&1";
+                              "'; echo exit \\$?; ls -A '" + at("small") + "'\" > '" + at("log") + "' 2>&1";
   ASSERT_EQ(std::system(command.c_str()), 0) << contents(at("log"));
   const std::string log = contents(at("log"));
   EXPECT_NE(log.find("No space left on device"), std::string::npos) << log;
