@@ -167,8 +167,9 @@ TEST_F(SliceCommand, OwnPlanesKeepTheirPixelsUnlessASizeIsNamed) {
   ASSERT_EQ(square.exitCode, 0) << square.error;
   EXPECT_EQ(square.json()["plane"], "sagittal");
   const MetaFile fine(at("fine.mha"));
-  EXPECT_EQ(fine.width(), 90);
-  EXPECT_EQ(fine.height(), 100);
+  // 45 mm and 50 mm, with a pixel's centre in the middle: half a pixel more at either end.
+  EXPECT_EQ(fine.width(), 91);
+  EXPECT_EQ(fine.height(), 101);
   for (const glm::ivec2 at : {glm::ivec2(40, 50), glm::ivec2(20, 33)}) {
     EXPECT_NEAR(fine.place(at.x, at.y).x, 3.0, 1e-9);
     EXPECT_NEAR(fine.value(at.x, at.y), rampAt(fine.place(at.x, at.y)), 1e-3);
