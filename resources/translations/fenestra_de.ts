@@ -3680,7 +3680,7 @@ Kosinus des Winkels zur nächsten der sechs</translation>
     </message>
     <message>
         <source>The open series and its labels, to a server of the panel Archive</source>
-        <translation>Die geöffnete Serie und ihre Labels, an einen Server des Bereichs Archiv</translation>
+        <translation>Die geöffnete Serie und ihre Labels, an einen Server des Panels Archiv</translation>
     </message>
     <message>
         <source>They are kept in</source>
@@ -5792,7 +5792,7 @@ Aus: erst die beste Ansicht, dann die beste daneben</translation>
     </message>
     <message>
         <source>The port that it listens on</source>
-        <translation>Der Port, auf dem er antwortet</translation>
+        <translation>Der Port, auf dem er lauscht</translation>
     </message>
     <message>
         <source>Its AE title, at most 16 letters and digits</source>

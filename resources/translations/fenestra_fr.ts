@@ -404,11 +404,11 @@
     </message>
     <message>
         <source>Double-click, Return</source>
-        <translation>Double-clic, Entrée</translation>
+        <translation>Double clic, Entrée</translation>
     </message>
     <message>
         <source>retrieve the study or series, and open it once it is whole</source>
-        <translation>récupérer l’examen ou la série, et l’ouvrir dès qu’elle est complète</translation>
+        <translation>récupérer l&apos;examen ou la série, et l&apos;ouvrir dès qu&apos;elle est complète</translation>
     </message>
     <message>
         <source>Drag onto a view</source>
@@ -416,7 +416,7 @@
     </message>
     <message>
         <source>retrieve what is selected, and open it once it is whole</source>
-        <translation>récupérer la sélection, et l’ouvrir dès qu’elle est complète</translation>
+        <translation>récupérer la sélection, et l&apos;ouvrir dès qu&apos;elle est complète</translation>
     </message>
 </context>
 <context>
@@ -1051,19 +1051,19 @@
     <name>ServerEntry</name>
     <message>
         <source>The server&apos;s AE title has 1 to 16 letters and digits; its administrator knows it.</source>
-        <translation>Le titre AE du serveur a de 1 à 16 lettres et chiffres ; son administrateur le connaît.</translation>
+        <translation>Le titre AE du serveur a de 1 à 16 lettres et chiffres ; son administrateur le connaît.</translation>
     </message>
     <message>
         <source>Our AE title has 1 to 16 letters and digits; the server must know it.</source>
-        <translation>Notre titre AE a de 1 à 16 lettres et chiffres ; le serveur doit le connaître.</translation>
+        <translation>Notre titre AE a de 1 à 16 lettres et chiffres ; le serveur doit le connaître.</translation>
     </message>
     <message>
         <source>The host is a name or an address, such as pacs.hospital or 192.168.1.5.</source>
-        <translation>L’hôte est un nom ou une adresse, comme pacs.hospital ou 192.168.1.5.</translation>
+        <translation>L&apos;hôte est un nom ou une adresse, comme pacs.hospital ou 192.168.1.5.</translation>
     </message>
     <message>
         <source>C-MOVE needs a port of ours that is entered at the server.</source>
-        <translation>C-MOVE a besoin d’un port à nous, enregistré sur le serveur.</translation>
+        <translation>C-MOVE a besoin d&apos;un port à nous, enregistré sur le serveur.</translation>
     </message>
     <message>
         <source>TLS needs the file of the certificates that may sign the server&apos;s, in PEM.</source>
@@ -1075,11 +1075,11 @@
     </message>
     <message>
         <source>The address is that of DICOMweb&apos;s root, such as https://pacs.hospital/dicom-web.</source>
-        <translation>L’adresse est celle de la racine de DICOMweb, comme https://pacs.hospital/dicom-web.</translation>
+        <translation>L&apos;adresse est celle de la racine de DICOMweb, comme https://pacs.hospital/dicom-web.</translation>
     </message>
     <message>
         <source>A login with a password needs the user&apos;s name.</source>
-        <translation>Une connexion par mot de passe a besoin du nom de l’utilisateur.</translation>
+        <translation>Une connexion par mot de passe a besoin du nom de l&apos;utilisateur.</translation>
     </message>
 </context>
 <context>
@@ -2722,7 +2722,7 @@ Cosinus de l&apos;angle avec la plus proche des six</translation>
     </message>
     <message>
         <source>Disk space for what was retrieved from archive servers: the series used longest ago go first</source>
-        <translation>Espace disque pour ce qui a été récupéré des serveurs d’archives : les séries inutilisées depuis le plus longtemps partent d’abord</translation>
+        <translation>Espace disque pour ce qui a été récupéré des serveurs d&apos;archives : les séries inutilisées depuis le plus longtemps partent d&apos;abord</translation>
     </message>
     <message>
         <source>GB</source>
@@ -3680,7 +3680,7 @@ Cosinus de l&apos;angle avec la plus proche des six</translation>
     </message>
     <message>
         <source>The open series and its labels, to a server of the panel Archive</source>
-        <translation>La série ouverte et ses labels, vers un serveur du panneau Archive</translation>
+        <translation>La série ouverte et ses étiquettes, vers un serveur du panneau Archive</translation>
     </message>
     <message>
         <source>They are kept in</source>
@@ -3749,19 +3749,19 @@ Cosinus de l&apos;angle avec la plus proche des six</translation>
     </message>
     <message>
         <source>Accession number %1</source>
-        <translation>Numéro d’accession %1</translation>
+        <translation>Numéro d&apos;accession %1</translation>
     </message>
     <message>
         <source>Study ID %1</source>
-        <translation>ID de l’examen %1</translation>
+        <translation>ID de l&apos;examen %1</translation>
     </message>
     <message>
         <source>Part of the body: %1</source>
-        <translation>Partie du corps : %1</translation>
+        <translation>Partie du corps : %1</translation>
     </message>
     <message>
         <source>Protocol: %1</source>
-        <translation>Protocole : %1</translation>
+        <translation>Protocole : %1</translation>
     </message>
     <message>
         <source>Patient, study</source>
@@ -3784,7 +3784,7 @@ Cosinus de l&apos;angle avec la plus proche des six</translation>
     <name>fenestra::viewer::ArchivePanel</name>
     <message>
         <source>No server is entered, so nothing goes over the network. Add the archive server (PACS) that holds your studies; its administrator knows what to enter.</source>
-        <translation>Aucun serveur n’est enregistré : rien ne passe par le réseau. Ajoutez le serveur d’archives (PACS) qui a vos examens ; son administrateur sait ce qu’il faut saisir.</translation>
+        <translation>Aucun serveur n&apos;est enregistré : rien ne passe par le réseau. Ajoutez le serveur d&apos;archives (PACS) qui a vos examens ; son administrateur sait ce qu&apos;il faut saisir.</translation>
     </message>
     <message>
         <source>Searching…</source>
@@ -3796,7 +3796,7 @@ Cosinus de l&apos;angle avec la plus proche des six</translation>
     </message>
     <message>
         <source>The archive server that is asked</source>
-        <translation>Le serveur d’archives interrogé</translation>
+        <translation>Le serveur d&apos;archives interrogé</translation>
     </message>
     <message>
         <source>Test</source>
@@ -3804,7 +3804,7 @@ Cosinus de l&apos;angle avec la plus proche des six</translation>
     </message>
     <message>
         <source>Asks the server whether it answers (echo), and says what is wrong</source>
-        <translation>Demande au serveur s’il répond (écho), et dit ce qui ne va pas</translation>
+        <translation>Demande au serveur s&apos;il répond (écho), et dit ce qui ne va pas</translation>
     </message>
     <message>
         <source>Servers</source>
@@ -3832,7 +3832,7 @@ Cosinus de l&apos;angle avec la plus proche des six</translation>
     </message>
     <message>
         <source>Remove %1?</source>
-        <translation>Supprimer %1 ?</translation>
+        <translation>Supprimer %1 ?</translation>
     </message>
     <message>
         <source>Images</source>
@@ -3844,7 +3844,7 @@ Cosinus de l&apos;angle avec la plus proche des six</translation>
     </message>
     <message>
         <source>Retrieves the study or series, and opens it once it is whole (double-click, or drag onto a view)</source>
-        <translation>Récupère l’examen ou la série, et l’ouvre dès qu’elle est complète (double-clic, ou glisser sur une vue)</translation>
+        <translation>Récupère l&apos;examen ou la série, et l&apos;ouvre dès qu&apos;elle est complète (double clic, ou glisser sur une vue)</translation>
     </message>
     <message>
         <source>Retrieve</source>
@@ -3852,7 +3852,7 @@ Cosinus de l&apos;angle avec la plus proche des six</translation>
     </message>
     <message>
         <source>Fetches what is selected into the cache, to be opened later</source>
-        <translation>Met la sélection dans le cache, pour l’ouvrir plus tard</translation>
+        <translation>Met la sélection dans le cache, pour l&apos;ouvrir plus tard</translation>
     </message>
     <message>
         <source>More…</source>
@@ -3872,15 +3872,15 @@ Cosinus de l&apos;angle avec la plus proche des six</translation>
     </message>
     <message>
         <source>Nothing matches. Check the spelling; an asterisk stands for any text, as in *jane*.</source>
-        <translation>Rien ne correspond. Vérifiez l’orthographe ; un astérisque vaut pour tout texte, comme dans *jane*.</translation>
+        <translation>Rien ne correspond. Vérifiez l&apos;orthographe ; un astérisque vaut pour tout texte, comme dans *jane*.</translation>
     </message>
     <message>
         <source>Studies: %1, of patients: %2.</source>
-        <translation>Examens : %1, de patients : %2.</translation>
+        <translation>Examens : %1, de patients : %2.</translation>
     </message>
     <message>
         <source>There are more: narrow the search, or ask for more.</source>
-        <translation>Il y en a d’autres : restreignez la recherche, ou demandez la suite.</translation>
+        <translation>Il y en a d&apos;autres : restreignez la recherche, ou demandez la suite.</translation>
     </message>
     <message>
         <source>The server does not match by some of the fields.</source>
@@ -4048,7 +4048,7 @@ Cosinus de l&apos;angle avec la plus proche des six</translation>
     </message>
     <message>
         <source>Chooses where objects are kept from now on; those of before stay where they are</source>
-        <translation>Choisit où les objets sont conservés désormais ; les précédents restent où ils sont</translation>
+        <translation>Choisit où les objets sont conservés désormais ; les précédents restent où ils sont</translation>
     </message>
     <message>
         <source>Keep objects of archives in</source>
@@ -4060,11 +4060,11 @@ Cosinus de l&apos;angle avec la plus proche des six</translation>
     </message>
     <message>
         <source>Removes all objects that were retrieved; not while some come in</source>
-        <translation>Supprime tous les objets récupérés ; pas pendant que d’autres arrivent</translation>
+        <translation>Supprime tous les objets récupérés ; pas pendant que d&apos;autres arrivent</translation>
     </message>
     <message>
         <source>Remove all objects that were retrieved? The servers still have them, but sessions that refer to them find their data no more.</source>
-        <translation>Supprimer tous les objets récupérés ? Les serveurs les ont encore, mais les sessions qui s’y réfèrent ne trouveront plus leurs données.</translation>
+        <translation>Supprimer tous les objets récupérés ? Les serveurs les ont encore, mais les sessions qui s&apos;y réfèrent ne trouveront plus leurs données.</translation>
     </message>
     <message>
         <source>Clears…</source>
@@ -5498,7 +5498,7 @@ Sinon&#xa0;: d&apos;abord la meilleure vue, puis la meilleure à côté</transla
     </message>
     <message>
         <source>Paused; what came is kept</source>
-        <translation>En pause ; ce qui est arrivé est conservé</translation>
+        <translation>En pause ; ce qui est arrivé est conservé</translation>
     </message>
     <message>
         <source>Whole</source>
@@ -5506,7 +5506,7 @@ Sinon&#xa0;: d&apos;abord la meilleure vue, puis la meilleure à côté</transla
     </message>
     <message>
         <source>Cancels it, and takes it out of the list. What came stays in the cache</source>
-        <translation>L’annule et la retire de la liste. Ce qui est arrivé reste dans le cache</translation>
+        <translation>L&apos;annule et la retire de la liste. Ce qui est arrivé reste dans le cache</translation>
     </message>
     <message>
         <source>Retrieval %1</source>
@@ -5521,7 +5521,7 @@ Sinon&#xa0;: d&apos;abord la meilleure vue, puis la meilleure à côté</transla
     </message>
     <message>
         <source>Its server is no longer in the list.</source>
-        <translation>Son serveur n’est plus dans la liste.</translation>
+        <translation>Son serveur n&apos;est plus dans la liste.</translation>
     </message>
 </context>
 <context>
@@ -5540,7 +5540,7 @@ Sinon&#xa0;: d&apos;abord la meilleure vue, puis la meilleure à côté</transla
     </message>
     <message>
         <source>Searches under a name. A patient&apos;s name, ID and accession number are not saved</source>
-        <translation>Recherches sous un nom. Le nom, l’ID et le numéro d’accession d’un patient ne sont pas enregistrés</translation>
+        <translation>Recherches sous un nom. Le nom, l&apos;ID et le numéro d&apos;accession d&apos;un patient ne sont pas enregistrés</translation>
     </message>
     <message>
         <source>Name</source>
@@ -5568,27 +5568,27 @@ Sinon&#xa0;: d&apos;abord la meilleure vue, puis la meilleure à côté</transla
     </message>
     <message>
         <source>An asterisk stands for any text, a question mark for one character</source>
-        <translation>Un astérisque vaut pour tout texte, un point d’interrogation pour un caractère</translation>
+        <translation>Un astérisque vaut pour tout texte, un point d&apos;interrogation pour un caractère</translation>
     </message>
     <message>
         <source>Family name, or &quot;Doe, Jane&quot;: all names that begin so. %1, as in *jane*</source>
-        <translation>Nom de famille, ou « Doe, Jane » : tous les noms qui commencent ainsi. %1, comme dans *jane*</translation>
+        <translation>Nom de famille, ou « Doe, Jane » : tous les noms qui commencent ainsi. %1, comme dans *jane*</translation>
     </message>
     <message>
         <source>The patient&apos;s ID as it is. %1, as in 47*</source>
-        <translation>L’ID du patient tel quel. %1, comme dans 47*</translation>
+        <translation>L&apos;ID du patient tel quel. %1, comme dans 47*</translation>
     </message>
     <message>
         <source>The accession number as it is. %1, as in A2024*</source>
-        <translation>Le numéro d’accession tel quel. %1, comme dans A2024*</translation>
+        <translation>Le numéro d&apos;accession tel quel. %1, comme dans A2024*</translation>
     </message>
     <message>
         <source>All descriptions of studies that hold this text. %1, as in head*</source>
-        <translation>Toutes les descriptions d’examens qui contiennent ce texte. %1, comme dans head*</translation>
+        <translation>Toutes les descriptions d&apos;examens qui contiennent ce texte. %1, comme dans head*</translation>
     </message>
     <message>
         <source>The kind of images that the study holds</source>
-        <translation>Le type d’images que contient l’examen</translation>
+        <translation>Le type d&apos;images que contient l&apos;examen</translation>
     </message>
     <message>
         <source>Any</source>
@@ -5596,11 +5596,11 @@ Sinon&#xa0;: d&apos;abord la meilleure vue, puis la meilleure à côté</transla
     </message>
     <message>
         <source>When the study was made</source>
-        <translation>Date de l’examen</translation>
+        <translation>Date de l&apos;examen</translation>
     </message>
     <message>
         <source>Today</source>
-        <translation>Aujourd’hui</translation>
+        <translation>Aujourd&apos;hui</translation>
     </message>
     <message>
         <source>Last 7 days</source>
@@ -5640,7 +5640,7 @@ Sinon&#xa0;: d&apos;abord la meilleure vue, puis la meilleure à côté</transla
     </message>
     <message>
         <source>Its name (date, type and description are saved, nothing of a patient):</source>
-        <translation>Son nom (date, type et description sont enregistrés, rien d’un patient) :</translation>
+        <translation>Son nom (date, type et description sont enregistrés, rien d&apos;un patient) :</translation>
     </message>
     <message>
         <source>Forget</source>
@@ -5651,11 +5651,11 @@ Sinon&#xa0;: d&apos;abord la meilleure vue, puis la meilleure à côté</transla
     <name>fenestra::viewer::SendDialog</name>
     <message>
         <source>Nothing is open.</source>
-        <translation>Rien n’est ouvert.</translation>
+        <translation>Rien n&apos;est ouvert.</translation>
     </message>
     <message>
         <source>What is open is not DICOM, and archives keep nothing else.</source>
-        <translation>Ce qui est ouvert n’est pas DICOM, et les archives ne conservent rien d’autre.</translation>
+        <translation>Ce qui est ouvert n&apos;est pas DICOM, et les archives ne conservent rien d&apos;autre.</translation>
     </message>
     <message>
         <source>Send to an archive</source>
@@ -5679,7 +5679,7 @@ Sinon&#xa0;: d&apos;abord la meilleure vue, puis la meilleure à côté</transla
     </message>
     <message>
         <source>The open series, images: %1</source>
-        <translation>La série ouverte, images : %1</translation>
+        <translation>La série ouverte, images : %1</translation>
     </message>
     <message>
         <source>Its files as they are</source>
@@ -5687,7 +5687,7 @@ Sinon&#xa0;: d&apos;abord la meilleure vue, puis la meilleure à côté</transla
     </message>
     <message>
         <source>All labels, as a DICOM segmentation</source>
-        <translation>Tous les labels, en segmentation DICOM</translation>
+        <translation>Toutes les étiquettes, en segmentation DICOM</translation>
     </message>
     <message>
         <source>With their names and colours, for the patient and the series that are open</source>
@@ -5695,7 +5695,7 @@ Sinon&#xa0;: d&apos;abord la meilleure vue, puis la meilleure à côté</transla
     </message>
     <message>
         <source>The objects hold the patient&apos;s name and ID: an archive files them by these.</source>
-        <translation>Les objets contiennent le nom et l’ID du patient : une archive les classe ainsi.</translation>
+        <translation>Les objets contiennent le nom et l&apos;ID du patient : une archive les classe ainsi.</translation>
     </message>
     <message>
         <source>Server</source>
@@ -5707,7 +5707,7 @@ Sinon&#xa0;: d&apos;abord la meilleure vue, puis la meilleure à côté</transla
     </message>
     <message>
         <source>Labels</source>
-        <translation>Labels</translation>
+        <translation>Étiquettes</translation>
     </message>
     <message>
         <source>accepted</source>
@@ -5719,7 +5719,7 @@ Sinon&#xa0;: d&apos;abord la meilleure vue, puis la meilleure à côté</transla
     </message>
     <message>
         <source>Accepted: %1 of %2.</source>
-        <translation>Acceptés : %1 sur %2.</translation>
+        <translation>Acceptés : %1 sur %2.</translation>
     </message>
 </context>
 <context>
@@ -5756,11 +5756,11 @@ Sinon&#xa0;: d&apos;abord la meilleure vue, puis la meilleure à côté</transla
     <name>fenestra::viewer::ServerDialog</name>
     <message>
         <source>Archive server</source>
-        <translation>Serveur d’archives</translation>
+        <translation>Serveur d&apos;archives</translation>
     </message>
     <message>
         <source>As you call it</source>
-        <translation>Comme vous l’appelez</translation>
+        <translation>Comme vous l&apos;appelez</translation>
     </message>
     <message>
         <source>DICOM</source>
@@ -5776,7 +5776,7 @@ Sinon&#xa0;: d&apos;abord la meilleure vue, puis la meilleure à côté</transla
     </message>
     <message>
         <source>What the server speaks; its administrator knows</source>
-        <translation>Ce que parle le serveur ; son administrateur le sait</translation>
+        <translation>Ce que parle le serveur ; son administrateur le sait</translation>
     </message>
     <message>
         <source>Name</source>
@@ -5800,7 +5800,7 @@ Sinon&#xa0;: d&apos;abord la meilleure vue, puis la meilleure à côté</transla
     </message>
     <message>
         <source>Our AE title: its administrator enters it at the server</source>
-        <translation>Notre titre AE : l’administrateur l’enregistre sur le serveur</translation>
+        <translation>Notre titre AE : l&apos;administrateur l&apos;enregistre sur le serveur</translation>
     </message>
     <message>
         <source>C-GET, over our connection</source>
@@ -5812,7 +5812,7 @@ Sinon&#xa0;: d&apos;abord la meilleure vue, puis la meilleure à côté</transla
     </message>
     <message>
         <source>How objects come. C-GET needs nothing more; with C-MOVE our address and port are entered at the server, and the port is open while objects come</source>
-        <translation>Comment les objets arrivent. C-GET n’a besoin de rien d’autre ; avec C-MOVE, notre adresse et notre port sont enregistrés sur le serveur, et le port est ouvert pendant que les objets arrivent</translation>
+        <translation>Comment les objets arrivent. C-GET n&apos;a besoin de rien d&apos;autre ; avec C-MOVE, notre adresse et notre port sont enregistrés sur le serveur, et le port est ouvert pendant que les objets arrivent</translation>
     </message>
     <message>
         <source>Address of this machine that the server sends to</source>
@@ -5852,7 +5852,7 @@ Sinon&#xa0;: d&apos;abord la meilleure vue, puis la meilleure à côté</transla
     </message>
     <message>
         <source>The address of DICOMweb&apos;s root. A login goes out over https alone</source>
-        <translation>L’adresse de la racine de DICOMweb. Une connexion ne part que par https</translation>
+        <translation>L&apos;adresse de la racine de DICOMweb. Une connexion ne part que par https</translation>
     </message>
     <message>
         <source>None</source>
@@ -5928,11 +5928,11 @@ Sinon&#xa0;: d&apos;abord la meilleure vue, puis la meilleure à côté</transla
     </message>
     <message>
         <source>Token for %1:</source>
-        <translation>Jeton pour %1 :</translation>
+        <translation>Jeton pour %1 :</translation>
     </message>
     <message>
         <source>Password of %1 for %2:</source>
-        <translation>Mot de passe de %1 pour %2 :</translation>
+        <translation>Mot de passe de %1 pour %2 :</translation>
     </message>
 </context>
 <context>

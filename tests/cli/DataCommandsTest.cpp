@@ -62,6 +62,10 @@ TEST_F(DataCommands, MeasuresEachLabel) {
   for (const Json& spacing : info["spacing"]) voxel *= spacing.get<double>();
   ASSERT_GT(all["labels"].size(), 5u);
   for (const Json& label : all["labels"]) {
+    if (label["voxels"] == 0) {  // too small for so coarse a phantom
+      EXPECT_TRUE(label["mean"].is_null() && label["box_lps"].is_null()) << label;
+      continue;
+    }
     EXPECT_NEAR(label["ml"].get<double>(), label["voxels"].get<double>() * voxel / 1000.0, 1e-9) << label;
     EXPECT_LE(label["min"], label["mean"]) << label;
     EXPECT_LE(label["mean"], label["max"]) << label;
