@@ -143,7 +143,8 @@ void SeriesPanel::addRow(const io::SeriesInfo& series, QTreeWidgetItem* parent) 
   const QString title = seriesTitle(series, names()), kind = seriesKind(series);
   const QString size = QStringLiteral("%1×%2×%3").arg(series.dims.x).arg(series.dims.y).arg(series.dims.z);
   const int count = static_cast<int>(series.files.size());
-  const QString images = count == 1 ? tr("1 image") : tr("%n images", nullptr, count);
+  // A phantom has no files.
+  const QString images = count == 0 ? QString() : count == 1 ? tr("1 image") : tr("%n images", nullptr, count);
   QStringList lines{title, kind, images};
   lines.removeAll(QString());
   auto* row = new QTreeWidgetItem(parent, {lines.join(QLatin1Char('\n'))});
