@@ -2814,8 +2814,8 @@ Kosinus des Winkels zur nächsten der sechs</translation>
         <translation>&amp;Axial groß</translation>
     </message>
     <message>
-        <source>F&amp;our: C1 and slices</source>
-        <translation>&amp;Vier: C1 und Schichten</translation>
+        <source>Four: C1 and slices</source>
+        <translation>Vier: C1 und Schichten</translation>
     </message>
     <message>
         <source>C1 &amp;beside axial</source>
@@ -2960,8 +2960,8 @@ Kosinus des Winkels zur nächsten der sechs</translation>
         <translation>Ctrl+L</translation>
     </message>
     <message>
-        <source>Choose &amp;series…</source>
-        <translation>&amp;Serie wählen…</translation>
+        <source>Choose series…</source>
+        <translation>Serie wählen…</translation>
     </message>
     <message>
         <source>Open s&amp;ession…</source>
@@ -3196,8 +3196,8 @@ Kosinus des Winkels zur nächsten der sechs</translation>
         <translation>&amp;Löschen</translation>
     </message>
     <message>
-        <source>Delete a&amp;ll</source>
-        <translation>&amp;Alle löschen</translation>
+        <source>Delete all</source>
+        <translation>Alle löschen</translation>
     </message>
     <message>
         <source>&amp;Measure</source>
@@ -3264,7 +3264,7 @@ Kosinus des Winkels zur nächsten der sechs</translation>
         <translation>Esc</translation>
     </message>
     <message>
-        <source>F&amp;ull screen</source>
+        <source>Full screen</source>
         <translation>Vollbild</translation>
     </message>
     <message>
@@ -3308,8 +3308,8 @@ Kosinus des Winkels zur nächsten der sechs</translation>
         <translation>&amp;Blick von</translation>
     </message>
     <message>
-        <source>P&amp;lace cameras</source>
-        <translation>&amp;Kameras platzieren</translation>
+        <source>Place cameras</source>
+        <translation>Kameras platzieren</translation>
     </message>
     <message>
         <source>F5</source>
@@ -3332,8 +3332,8 @@ Kosinus des Winkels zur nächsten der sechs</translation>
         <translation>Ctrl+R</translation>
     </message>
     <message>
-        <source>&amp;Link the 3-D views</source>
-        <translation>3-D-An&amp;sichten koppeln</translation>
+        <source>Link the 3-D views</source>
+        <translation>3-D-Ansichten koppeln</translation>
     </message>
     <message>
         <source>L</source>
@@ -3348,8 +3348,8 @@ Kosinus des Winkels zur nächsten der sechs</translation>
         <translation>Ctrl+P</translation>
     </message>
     <message>
-        <source>&amp;Animate the cameras</source>
-        <translation>Ka&amp;merafahrten</translation>
+        <source>Animate the cameras</source>
+        <translation>Kamerafahrten</translation>
     </message>
     <message>
         <source>&amp;Freeze the opening</source>
@@ -3488,7 +3488,7 @@ Kosinus des Winkels zur nächsten der sechs</translation>
         <translation>Nächste Ansicht</translation>
     </message>
     <message>
-        <source>Pre&amp;vious view</source>
+        <source>Previous view</source>
         <translation>Vorige Ansicht</translation>
     </message>
     <message>
@@ -3496,8 +3496,8 @@ Kosinus des Winkels zur nächsten der sechs</translation>
         <translation>&amp;Diese Anordnung behalten…</translation>
     </message>
     <message>
-        <source>&amp;Forget</source>
-        <translation>Ve&amp;rgessen</translation>
+        <source>Forget</source>
+        <translation>Vergessen</translation>
     </message>
     <message>
         <source>Keep this layout</source>
@@ -3675,7 +3675,7 @@ Kosinus des Winkels zur nächsten der sechs</translation>
         <translation>Helle Strukturen</translation>
     </message>
     <message>
-        <source>Send to archi&amp;ve…</source>
+        <source>Send to archive…</source>
         <translation>An ein Archiv senden…</translation>
     </message>
     <message>

@@ -2814,8 +2814,8 @@ Coseno del ángulo con la más próxima de las seis</translation>
         <translation>&amp;Axial grande</translation>
     </message>
     <message>
-        <source>F&amp;our: C1 and slices</source>
-        <translation>Cuatro: C1 &amp;y cortes</translation>
+        <source>Four: C1 and slices</source>
+        <translation>Cuatro: C1 y cortes</translation>
     </message>
     <message>
         <source>C1 &amp;beside axial</source>
@@ -2960,8 +2960,8 @@ Coseno del ángulo con la más próxima de las seis</translation>
         <translation>Ctrl+L</translation>
     </message>
     <message>
-        <source>Choose &amp;series…</source>
-        <translation>Elegir &amp;serie…</translation>
+        <source>Choose series…</source>
+        <translation>Elegir serie…</translation>
     </message>
     <message>
         <source>Open s&amp;ession…</source>
@@ -3196,8 +3196,8 @@ Coseno del ángulo con la más próxima de las seis</translation>
         <translation>E&amp;liminar</translation>
     </message>
     <message>
-        <source>Delete a&amp;ll</source>
-        <translation>Eliminar &amp;todo</translation>
+        <source>Delete all</source>
+        <translation>Eliminar todo</translation>
     </message>
     <message>
         <source>&amp;Measure</source>
@@ -3264,8 +3264,8 @@ Coseno del ángulo con la más próxima de las seis</translation>
         <translation>Esc</translation>
     </message>
     <message>
-        <source>F&amp;ull screen</source>
-        <translation>&amp;Pantalla completa</translation>
+        <source>Full screen</source>
+        <translation>Pantalla completa</translation>
     </message>
     <message>
         <source>F11</source>
@@ -3308,8 +3308,8 @@ Coseno del ángulo con la más próxima de las seis</translation>
         <translation>&amp;Mirar desde</translation>
     </message>
     <message>
-        <source>P&amp;lace cameras</source>
-        <translation>C&amp;olocar cámaras</translation>
+        <source>Place cameras</source>
+        <translation>Colocar cámaras</translation>
     </message>
     <message>
         <source>F5</source>
@@ -3332,8 +3332,8 @@ Coseno del ángulo con la más próxima de las seis</translation>
         <translation>Ctrl+R</translation>
     </message>
     <message>
-        <source>&amp;Link the 3-D views</source>
-        <translation>Enlazar vistas 3&amp;D</translation>
+        <source>Link the 3-D views</source>
+        <translation>Enlazar vistas 3D</translation>
     </message>
     <message>
         <source>L</source>
@@ -3348,8 +3348,8 @@ Coseno del ángulo con la más próxima de las seis</translation>
         <translation>Ctrl+P</translation>
     </message>
     <message>
-        <source>&amp;Animate the cameras</source>
-        <translation>&amp;Animar las cámaras</translation>
+        <source>Animate the cameras</source>
+        <translation>Animar las cámaras</translation>
     </message>
     <message>
         <source>&amp;Freeze the opening</source>
@@ -3488,7 +3488,7 @@ Coseno del ángulo con la más próxima de las seis</translation>
         <translation>Vista siguiente</translation>
     </message>
     <message>
-        <source>Pre&amp;vious view</source>
+        <source>Previous view</source>
         <translation>Vista anterior</translation>
     </message>
     <message>
@@ -3496,8 +3496,8 @@ Coseno del ángulo con la más próxima de las seis</translation>
         <translation>&amp;Guardar esta disposición…</translation>
     </message>
     <message>
-        <source>&amp;Forget</source>
-        <translation>&amp;Olvidar</translation>
+        <source>Forget</source>
+        <translation>Olvidar</translation>
     </message>
     <message>
         <source>Keep this layout</source>
@@ -3675,7 +3675,7 @@ Coseno del ángulo con la más próxima de las seis</translation>
         <translation>Estructuras brillantes</translation>
     </message>
     <message>
-        <source>Send to archi&amp;ve…</source>
+        <source>Send to archive…</source>
         <translation>Enviar al archivo…</translation>
     </message>
     <message>

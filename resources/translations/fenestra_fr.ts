@@ -2814,8 +2814,8 @@ Cosinus de l&apos;angle avec la plus proche des six</translation>
         <translation>&amp;Axial en grand</translation>
     </message>
     <message>
-        <source>F&amp;our: C1 and slices</source>
-        <translation>&amp;Quatre&#xa0;: C1 et coupes</translation>
+        <source>Four: C1 and slices</source>
+        <translation>Quatre&#xa0;: C1 et coupes</translation>
     </message>
     <message>
         <source>C1 &amp;beside axial</source>
@@ -2960,8 +2960,8 @@ Cosinus de l&apos;angle avec la plus proche des six</translation>
         <translation>Ctrl+L</translation>
     </message>
     <message>
-        <source>Choose &amp;series…</source>
-        <translation>&amp;Choisir la série…</translation>
+        <source>Choose series…</source>
+        <translation>Choisir la série…</translation>
     </message>
     <message>
         <source>Open s&amp;ession…</source>
@@ -3196,8 +3196,8 @@ Cosinus de l&apos;angle avec la plus proche des six</translation>
         <translation>&amp;Supprimer</translation>
     </message>
     <message>
-        <source>Delete a&amp;ll</source>
-        <translation>&amp;Tout supprimer</translation>
+        <source>Delete all</source>
+        <translation>Tout supprimer</translation>
     </message>
     <message>
         <source>&amp;Measure</source>
@@ -3264,7 +3264,7 @@ Cosinus de l&apos;angle avec la plus proche des six</translation>
         <translation>Esc</translation>
     </message>
     <message>
-        <source>F&amp;ull screen</source>
+        <source>Full screen</source>
         <translation>Plein écran</translation>
     </message>
     <message>
@@ -3308,8 +3308,8 @@ Cosinus de l&apos;angle avec la plus proche des six</translation>
         <translation>Regarder &amp;depuis</translation>
     </message>
     <message>
-        <source>P&amp;lace cameras</source>
-        <translation>Placer &amp;les caméras</translation>
+        <source>Place cameras</source>
+        <translation>Placer les caméras</translation>
     </message>
     <message>
         <source>F5</source>
@@ -3332,8 +3332,8 @@ Cosinus de l&apos;angle avec la plus proche des six</translation>
         <translation>Ctrl+R</translation>
     </message>
     <message>
-        <source>&amp;Link the 3-D views</source>
-        <translation>Li&amp;er les vues 3D</translation>
+        <source>Link the 3-D views</source>
+        <translation>Lier les vues 3D</translation>
     </message>
     <message>
         <source>L</source>
@@ -3348,8 +3348,8 @@ Cosinus de l&apos;angle avec la plus proche des six</translation>
         <translation>Ctrl+P</translation>
     </message>
     <message>
-        <source>&amp;Animate the cameras</source>
-        <translation>&amp;Animer les caméras</translation>
+        <source>Animate the cameras</source>
+        <translation>Animer les caméras</translation>
     </message>
     <message>
         <source>&amp;Freeze the opening</source>
@@ -3488,16 +3488,16 @@ Cosinus de l&apos;angle avec la plus proche des six</translation>
         <translation>Vue suivante</translation>
     </message>
     <message>
-        <source>Pre&amp;vious view</source>
-        <translation>Vue &amp;précédente</translation>
+        <source>Previous view</source>
+        <translation>Vue précédente</translation>
     </message>
     <message>
         <source>&amp;Keep this layout…</source>
         <translation>&amp;Garder cette disposition…</translation>
     </message>
     <message>
-        <source>&amp;Forget</source>
-        <translation>&amp;Oublier</translation>
+        <source>Forget</source>
+        <translation>Oublier</translation>
     </message>
     <message>
         <source>Keep this layout</source>
@@ -3675,7 +3675,7 @@ Cosinus de l&apos;angle avec la plus proche des six</translation>
         <translation>Structures claires</translation>
     </message>
     <message>
-        <source>Send to archi&amp;ve…</source>
+        <source>Send to archive…</source>
         <translation>Envoyer à l’archive…</translation>
     </message>
     <message>

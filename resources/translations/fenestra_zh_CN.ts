@@ -2814,8 +2814,8 @@ Cosine of the angle to the nearest of the six</source>
         <translation>大轴位(&amp;A)</translation>
     </message>
     <message>
-        <source>F&amp;our: C1 and slices</source>
-        <translation>四格(&amp;O)：C1 与层面</translation>
+        <source>Four: C1 and slices</source>
+        <translation>四格：C1 与层面</translation>
     </message>
     <message>
         <source>C1 &amp;beside axial</source>
@@ -2960,8 +2960,8 @@ Cosine of the angle to the nearest of the six</source>
         <translation>Ctrl+L</translation>
     </message>
     <message>
-        <source>Choose &amp;series…</source>
-        <translation>选择序列(&amp;S)…</translation>
+        <source>Choose series…</source>
+        <translation>选择序列…</translation>
     </message>
     <message>
         <source>Open s&amp;ession…</source>
@@ -3196,8 +3196,8 @@ Cosine of the angle to the nearest of the six</source>
         <translation>删除(&amp;L)</translation>
     </message>
     <message>
-        <source>Delete a&amp;ll</source>
-        <translation>全部删除(&amp;T)</translation>
+        <source>Delete all</source>
+        <translation>全部删除</translation>
     </message>
     <message>
         <source>&amp;Measure</source>
@@ -3257,15 +3257,15 @@ Cosine of the angle to the nearest of the six</source>
     </message>
     <message>
         <source>All &amp;views</source>
-        <translation>全部视图(&amp;V)</translation>
+        <translation>全部视图</translation>
     </message>
     <message>
         <source>Esc</source>
         <translation>Esc</translation>
     </message>
     <message>
-        <source>F&amp;ull screen</source>
-        <translation>全屏(&amp;U)</translation>
+        <source>Full screen</source>
+        <translation>全屏</translation>
     </message>
     <message>
         <source>F11</source>
@@ -3308,8 +3308,8 @@ Cosine of the angle to the nearest of the six</source>
         <translation>观察方向(&amp;L)</translation>
     </message>
     <message>
-        <source>P&amp;lace cameras</source>
-        <translation>放置相机(&amp;P)</translation>
+        <source>Place cameras</source>
+        <translation>放置相机</translation>
     </message>
     <message>
         <source>F5</source>
@@ -3332,8 +3332,8 @@ Cosine of the angle to the nearest of the six</source>
         <translation>Ctrl+R</translation>
     </message>
     <message>
-        <source>&amp;Link the 3-D views</source>
-        <translation>联动三维视图(&amp;I)</translation>
+        <source>Link the 3-D views</source>
+        <translation>联动三维视图</translation>
     </message>
     <message>
         <source>L</source>
@@ -3348,8 +3348,8 @@ Cosine of the angle to the nearest of the six</source>
         <translation>Ctrl+P</translation>
     </message>
     <message>
-        <source>&amp;Animate the cameras</source>
-        <translation>相机动画(&amp;N)</translation>
+        <source>Animate the cameras</source>
+        <translation>相机动画</translation>
     </message>
     <message>
         <source>&amp;Freeze the opening</source>
@@ -3477,7 +3477,7 @@ Cosine of the angle to the nearest of the six</source>
     </message>
     <message>
         <source>Layo&amp;ut of the views</source>
-        <translation>视图布局(&amp;H)</translation>
+        <translation>视图布局</translation>
     </message>
     <message>
         <source>&amp;One view, the active one</source>
@@ -3485,19 +3485,19 @@ Cosine of the angle to the nearest of the six</source>
     </message>
     <message>
         <source>&amp;Next view</source>
-        <translation>下一视图(&amp;E)</translation>
+        <translation>下一视图</translation>
     </message>
     <message>
-        <source>Pre&amp;vious view</source>
-        <translation>上一视图(&amp;V)</translation>
+        <source>Previous view</source>
+        <translation>上一视图</translation>
     </message>
     <message>
         <source>&amp;Keep this layout…</source>
         <translation>保存此布局(&amp;K)…</translation>
     </message>
     <message>
-        <source>&amp;Forget</source>
-        <translation>删除(&amp;R)</translation>
+        <source>Forget</source>
+        <translation>删除</translation>
     </message>
     <message>
         <source>Keep this layout</source>
@@ -3587,7 +3587,7 @@ Cosine of the angle to the nearest of the six</source>
     </message>
     <message>
         <source>Change &amp;keys…</source>
-        <translation>更改按键(&amp;C)…</translation>
+        <translation>更改按键…</translation>
     </message>
     <message>
         <source>%1  (%2 % to %3 % of the values)</source>
@@ -3674,8 +3674,8 @@ Cosine of the angle to the nearest of the six</source>
         <translation>高亮结构</translation>
     </message>
     <message>
-        <source>Send to archi&amp;ve…</source>
-        <translation>发送到归档(&amp;V)…</translation>
+        <source>Send to archive…</source>
+        <translation>发送到归档…</translation>
     </message>
     <message>
         <source>The open series and its labels, to a server of the panel Archive</source>

@@ -30,7 +30,7 @@ void Actions::makeFileMenu() {
   QAction* labels =
       volumeAction(tr("Open &labels…"), QKeySequence(tr("Ctrl+L")), [this] { targets_.files.chooseLabels(); });
   labels->setIcon(icon("labels"));
-  QAction* series = action(tr("Choose &series…"), {}, [this] { targets_.files.chooseSeries(); });
+  QAction* series = action(tr("Choose series…"), {}, [this] { targets_.files.chooseSeries(); });
   series->setObjectName(QStringLiteral("chooseSeries"));
   QAction* next =
       action(tr("&Next series"), QKeySequence(tr("Ctrl+PgDown")), [this] { targets_.files.openNeighbour(1); });
@@ -174,7 +174,7 @@ void Actions::addExports(QMenu& menu) {
 }
 
 void Actions::addSending(QMenu& menu) {
-  QAction* send = menu.addAction(tr("Send to archi&ve…"));
+  QAction* send = menu.addAction(tr("Send to archive…"));
   send->setObjectName(QStringLiteral("sendToArchive"));
   connect(send, &QAction::triggered, this, [this] { targets_.archive.showSendDialog(); });
   const Document& document = targets_.workspace.document;

@@ -97,13 +97,13 @@ void Actions::makeLayoutMenu(QMenu& menu) {
   layouts->addSeparator();
   addOwnLayouts(*layouts);
   menu.addAction(action(tr("&Next view"), QKeySequence(tr("N")), [&views] { views.showNeighbour(1); }));
-  menu.addAction(action(tr("Pre&vious view"), QKeySequence(tr("Shift+N")), [&views] { views.showNeighbour(-1); }));
+  menu.addAction(action(tr("Previous view"), QKeySequence(tr("Shift+N")), [&views] { views.showNeighbour(-1); }));
 }
 
 void Actions::addOwnLayouts(QMenu& layouts) {
   QAction* save = layouts.addAction(tr("&Keep this layout…"));
   save->setObjectName(QStringLiteral("keepLayout"));
-  QMenu* forget = layouts.addMenu(tr("&Forget"));
+  QMenu* forget = layouts.addMenu(tr("Forget"));
   layouts.addSeparator();
   ViewArea& views = targets_.views;
   Preferences& preferences = targets_.workspace.preferences;

@@ -112,7 +112,7 @@ void Actions::makeMeasureMenu() {
   QAction* copy = action(tr("&Copy"), QKeySequence(tr("Ctrl+Shift+C")),
                          [this, &mode] { copyMeasures(targets_.workspace, mode.selected()); });
   QAction* remove = action(tr("De&lete"), QKeySequence::Delete, [&mode] { mode.removeSelected(); });
-  QAction* removeAll = action(tr("Delete a&ll"), {}, [&mode] { mode.removeAll(); });
+  QAction* removeAll = action(tr("Delete all"), {}, [&mode] { mode.removeAll(); });
   removeAll->setObjectName(QStringLiteral("deleteMeasures"));
   const auto enable = [&document, &mode, copy, remove, removeAll] {
     copy->setEnabled(!document.measures().empty());

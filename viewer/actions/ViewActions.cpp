@@ -34,7 +34,7 @@ void Actions::makeViewMenu() {
   menu->addSeparator();
   makeLayoutMenu(*menu);
   menu->addAction(action(tr("All &views"), QKeySequence(tr("Esc")), [this] { stop(); }));
-  menu->addAction(action(tr("F&ull screen"), QKeySequence(tr("F11")), [this] {
+  menu->addAction(action(tr("Full screen"), QKeySequence(tr("F11")), [this] {
     targets_.window.setWindowState(targets_.window.windowState() ^ Qt::WindowFullScreen);
   }));
   menu->addSeparator();
@@ -75,7 +75,7 @@ void Actions::makeLookFromMenu(QMenu& menu) {
 void Actions::makeCameraEntries(QMenu& menu) {
   ViewLink& cameras = targets_.workspace.cameras;
   PlacementController& placement = targets_.workspace.placement;
-  QAction* place = action(tr("P&lace cameras"), QKeySequence(tr("F5")), [&placement] { placement.place(); });
+  QAction* place = action(tr("Place cameras"), QKeySequence(tr("F5")), [&placement] { placement.place(); });
   place->setIcon(icon("place"));
   const auto enablePlace = [&placement, place] { place->setEnabled(placement.canPlace()); };
   connect(&placement, &PlacementController::changed, place, enablePlace);
@@ -85,7 +85,7 @@ void Actions::makeCameraEntries(QMenu& menu) {
   QAction* resetAll =
       volumeAction(tr("Reset &all views"), QKeySequence(tr("Ctrl+R")), [this] { viewCommands_.resetAllViews(); });
 
-  QAction* link = toggle(tr("&Link the 3-D views"), QKeySequence(tr("L")), cameras.isLinked(),
+  QAction* link = toggle(tr("Link the 3-D views"), QKeySequence(tr("L")), cameras.isLinked(),
                          [&cameras](bool on) { cameras.setLinked(on); });
   link->setIcon(icon("link"));
   link->setObjectName(QStringLiteral("link"));
@@ -103,7 +103,7 @@ void Actions::makeCameraEntries(QMenu& menu) {
   menu.addActions({place, reset, resetAll});
   menu.addSeparator();
   menu.addAction(makeFreezeEntry());
-  QAction* animated = preferenceToggle(tr("&Animate the cameras"), {}, Preference::AnimatedCameras);
+  QAction* animated = preferenceToggle(tr("Animate the cameras"), {}, Preference::AnimatedCameras);
   animated->setObjectName(QStringLiteral("animated"));
   menu.addActions({link, parallel, animated});
   tools_.back() << reset << place;

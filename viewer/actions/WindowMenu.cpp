@@ -48,7 +48,7 @@ void Actions::addOwnWindows(QMenu& menu) {
   keep->setObjectName(QStringLiteral("keepWindow"));
   keep->setEnabled(false);
   needVolume_ << keep;
-  QMenu* forget = own->addMenu(tr("&Forget"));
+  QMenu* forget = own->addMenu(tr("Forget"));
   own->addSeparator();
   auto* shown = new QActionGroup(own);
   shown->setExclusive(false);

@@ -30,7 +30,7 @@ constexpr std::array readyArrangements{
                 {{{"axial"}, {"C1", "sagittal", "coronal"}}},
                 {70, 30}},
     Arrangement{"four",
-                QT_TRANSLATE_NOOP("ViewArea", "F&our: C1 and slices"),
+                QT_TRANSLATE_NOOP("ViewArea", "Four: C1 and slices"),
                 Qt::Vertical,
                 {{{"axial", "C1"}, {"coronal", "sagittal"}}},
                 {50, 50}},
