@@ -88,6 +88,7 @@ class Actions : public QObject {
   void showSettings();
   void makeViewMenu();
   void makeLayoutMenu(QMenu& menu);
+  /// How the active slice's picture lies in its view, and playing through the slices.
   void addSlicePictures(QMenu& menu);
   /// The slice that is active; while a 3-D view is, the first that shows.
   SliceView& activeSlice() const;
