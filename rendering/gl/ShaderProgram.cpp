@@ -100,11 +100,9 @@ void makeWritesVisible() {
 ShaderProgram ShaderProgram::compute(std::string_view path, const Variant& variant) {
   ShaderProgram program;
   program.isCompute_ = true;
-  const ShaderSource source = sourceOf(path, variant);
+  ShaderSource source = sourceOf(path, variant);
   program.name_ = link({compile(GL_COMPUTE_SHADER, path, source)}, path);
-#ifndef NDEBUG
-  program.source_ = source.text;
-#endif
+  program.names_ = std::move(source.names);
   program.inspect();
   if (listener()) listener()(program, path, source.text);
   return program;
@@ -112,12 +110,12 @@ ShaderProgram ShaderProgram::compute(std::string_view path, const Variant& varia
 
 ShaderProgram ShaderProgram::graphics(std::string_view vertexPath, std::string_view fragmentPath) {
   ShaderProgram program;
-  const ShaderSource vertex = sourceOf(vertexPath, {}), fragment = sourceOf(fragmentPath, {});
+  ShaderSource vertex = sourceOf(vertexPath, {});
+  const ShaderSource fragment = sourceOf(fragmentPath, {});
   const GLuint vertexShader = compile(GL_VERTEX_SHADER, vertexPath, vertex);
   program.name_ = link({vertexShader, compile(GL_FRAGMENT_SHADER, fragmentPath, fragment)}, fragmentPath);
-#ifndef NDEBUG
-  program.source_ = vertex.text + fragment.text;
-#endif
+  program.names_ = std::move(vertex.names);
+  program.names_.insert(fragment.names.begin(), fragment.names.end());
   program.inspect();
   if (listener()) listener()(program, fragmentPath, fragment.text);
   return program;
@@ -138,7 +136,7 @@ ShaderProgram::ShaderProgram(ShaderProgram&& other) noexcept
       uniforms_(std::move(other.uniforms_)),
       textures_(std::move(other.textures_)),
       block_(std::move(other.block_)),
-      source_(std::move(other.source_)) {}
+      names_(std::move(other.names_)) {}
 
 ShaderProgram& ShaderProgram::operator=(ShaderProgram&& other) noexcept {
   std::swap(name_, other.name_);
@@ -147,7 +145,7 @@ ShaderProgram& ShaderProgram::operator=(ShaderProgram&& other) noexcept {
   std::swap(uniforms_, other.uniforms_);
   std::swap(textures_, other.textures_);
   std::swap(block_, other.block_);
-  std::swap(source_, other.source_);
+  std::swap(names_, other.names_);
   return *this;
 }
 
@@ -180,7 +178,7 @@ void ShaderProgram::inspect() {
 }
 
 void ShaderProgram::assertDeclared([[maybe_unused]] std::string_view name) const {
-  assert(holdsName(source_, name) && "the shader declares no uniform of this name");
+  assert(names_.contains(name) && "the shader declares no uniform of this name");
 }
 
 const ShaderProgram::Uniform* ShaderProgram::find(std::string_view uniform,

@@ -121,7 +121,7 @@ class ShaderProgram {
   std::map<std::string, Uniform, std::less<>> uniforms_;  ///< active, outside of blocks; no textures
   std::vector<TextureUnit> textures_;
   Block block_;
-  std::string source_;  ///< of all stages, to assert names; empty without assertions
+  Names names_;  ///< in the sources of all stages, to be asserted; empty without assertions
 };
 
 /// Compute programs by path and variant, for all whose contexts share objects: each is compiled once. Whoever runs a

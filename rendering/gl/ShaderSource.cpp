@@ -49,15 +49,20 @@ class Expansion {
         out_ << "#line " << number + 1 << ' ' << file << '\n';
       } else {
         out_ << line << '\n';
-        noteUses(line);
+        noteNames(line);
       }
     }
   }
 
   ShaderSource finish() {
-    assert(usedDefines_.size() == variant_.defines.size() && "a define is not used, or given twice");
+    assert(std::ranges::all_of(variant_.defines,
+                               [&](const Define& define) {
+                                 return names_.contains(define.name) &&
+                                        std::ranges::count(variant_.defines, define.name, &Define::name) == 1;
+                               }) &&
+           "a define is not used, or given twice");
     assert(usedChoices_.size() == variant_.choices.size() && "a choice is not used, or given twice");
-    return {out_.str(), std::move(files_)};
+    return {out_.str(), std::move(files_), std::move(names_)};
   }
 
  private:
@@ -69,30 +74,26 @@ class Expansion {
     return choice->file;
   }
 
-  void noteUses([[maybe_unused]] std::string_view line) {
+  void noteNames([[maybe_unused]] std::string_view line) {
 #ifndef NDEBUG
-    const std::string_view code = line.substr(0, line.find("//"));
-    for (const Define& define : variant_.defines)
-      if (holdsName(code, define.name)) usedDefines_.insert(define.name);
+    const auto isPart = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; };
+    std::string_view rest = line.substr(0, line.find("//"));
+    while (!rest.empty()) {
+      const auto length = static_cast<std::size_t>(std::ranges::find_if_not(rest, isPart) - rest.begin());
+      if (length > 0) names_.emplace(rest.substr(0, length));
+      rest.remove_prefix(std::min(length + 1, rest.size()));
+    }
 #endif
   }
 
   const Variant& variant_;
   std::ostringstream out_;
   std::vector<std::string> files_;
-  std::set<std::string_view> usedDefines_, usedChoices_;  ///< to be asserted
+  Names names_;                             ///< to be asserted
+  std::set<std::string_view> usedChoices_;  ///< to be asserted
 };
 
 }  // namespace
-
-bool holdsName(std::string_view text, std::string_view name) {
-  const auto isPart = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; };
-  for (std::size_t at = text.find(name); at != std::string_view::npos; at = text.find(name, at + 1)) {
-    const std::size_t end = at + name.size();
-    if ((at == 0 || !isPart(text[at - 1])) && (end == text.size() || !isPart(text[end]))) return true;
-  }
-  return false;
-}
 
 Variant& Variant::operator+=(const Variant& more) {
   defines.insert(defines.end(), more.defines.begin(), more.defines.end());

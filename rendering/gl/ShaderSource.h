@@ -3,6 +3,8 @@
 // file by its path there, `#include <name>` an alternative: a file that the variant chooses. Each file is included
 // once.
 
+#include <functional>
+#include <set>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -33,13 +35,13 @@ struct Variant {
 };
 Variant operator+(Variant first, const Variant& more);
 
+using Names = std::set<std::string, std::less<>>;
+
 struct ShaderSource {
   std::string text;
   std::vector<std::string> files;  ///< that line directives in the text number
+  Names names;  ///< all words of the code without its comments, to be asserted; empty without assertions
 };
-
-/// Whether the text holds a name, not as a part of a longer one.
-bool holdsName(std::string_view text, std::string_view name);
 
 /// Throws ShaderError where a file or a choice is missing.
 ShaderSource sourceOf(std::string_view path, const Variant& variant);
