@@ -67,8 +67,10 @@ Panels makePanels(QMainWindow& window, Workspace& workspace) {
   QDockWidget* context = add(PanelsWords::tr("Context"), "contextDock", panels.appearance);
   window.tabifyDockWidget(context, add(PanelsWords::tr("Context edges"), "contextLayerDock", panels.contextLayer));
   context->raise();
-  QDockWidget* cutaway = add(PanelsWords::tr("Cutaway"), "cutawayDock", panels.cutaway);
-  panels.cutaway->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum);
+  auto* cutawayScroller = new ScrollingPanel;
+  cutawayScroller->setBody(panels.cutaway);
+  cutawayScroller->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
+  QDockWidget* cutaway = add(PanelsWords::tr("Cutaway"), "cutawayDock", cutawayScroller);
   window.resizeDocks({focus}, {310}, Qt::Horizontal);
   panels.seriesDock = add(PanelsWords::tr("Series"), "seriesDock", panels.series, Qt::LeftDockWidgetArea);
   panels.seriesDock->hide();

@@ -49,6 +49,19 @@ TEST_F(MethodWindow, ListsEachMethodWithAToolTip) {
     EXPECT_GT(box->itemData(row, Qt::ToolTipRole).toString().size(), 40) << row;
 }
 
+TEST_F(MethodWindow, NothingMovesUnderTheMouseWhenAMethodIsChosen) {
+  const auto* box = control<QComboBox>("kind");
+  const auto place = [](const QWidget* widget) { return QRect(widget->mapToGlobal(QPoint()), widget->size()); };
+  const QRect before = place(box), width = place(control<SliderSpin>("open_width"));
+  forEachMethod([&]<class M>() {
+    choose("kind", kindOf<M>);
+    // Layouts run when their events are delivered.
+    QApplication::processEvents();
+    EXPECT_EQ(place(box), before) << M::word;
+    EXPECT_EQ(place(control<SliderSpin>("open_width")), width) << M::word;
+  });
+}
+
 TEST_F(MethodWindow, ShowsARowOfEachSettingOfTheChosenMethodAlone) {
   forEachMethod([&]<class Chosen>() {
     choose("kind", kindOf<Chosen>);
@@ -166,10 +179,10 @@ TEST_F(MethodWindow, LabelsHaveLevelsOfImportance) {
   const int row =
       document().isFocused(static_cast<std::uint16_t>(list.table()->item(0, 0)->data(Qt::UserRole).toUInt())) ? 1 : 0;
   box(row)->setValue(2);
-  ASSERT_TRUE(QTest::qWaitFor([&] { return document().labelSetting(other).importance == 2; }));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return document().labelSetting(other).importance == 2; }, patience));
   // A label of level 0 is like all that has no level.
   box(row)->setValue(0);
-  ASSERT_TRUE(QTest::qWaitFor([&] { return list.table()->rowCount() == 1; }));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return list.table()->rowCount() == 1; }, patience));
   EXPECT_EQ(document().labelSetting(other), LabelSetting{.label = other});
   waitUntilDrawn();
   EXPECT_EQ(picture(volume(0)), one) << "to the bit";
@@ -455,11 +468,11 @@ TEST_F(MethodWindow, ALayerIsPeeledOffWhenTheMethodIsChosenAndBackWhenItIsLeft) 
   choose("kind", kindOf<methods::Peel>);
   const double amount = document().look().method.of<methods::Peel>().amount;
   EXPECT_LT(shown().of<methods::Peel>().amount, 0.5 * amount);
-  EXPECT_TRUE(QTest::qWaitFor([&] { return shown().of<methods::Peel>().amount == amount; }, 20000));
+  EXPECT_TRUE(QTest::qWaitFor([&] { return shown().of<methods::Peel>().amount == amount; }, patience));
   waitUntilDrawn();
   choose("kind", kindOf<methods::Adaptive>);
   EXPECT_EQ(shown().kind, kindOf<methods::Peel>);
-  EXPECT_TRUE(QTest::qWaitFor([&] { return shown() == document().look().method; }, 20000));
+  EXPECT_TRUE(QTest::qWaitFor([&] { return shown() == document().look().method; }, patience));
   waitUntilDrawn();
   cameras().setAnimated(false);
 }
@@ -476,12 +489,12 @@ TEST_F(MethodWindow, PartsMoveOutWhenTheMethodIsChosenAndBackWhenItIsLeft) {
     last = shown().of<methods::Explode>().degree;
     return last == degree;
   };
-  EXPECT_TRUE(QTest::qWaitFor(arrived, 20000));
+  EXPECT_TRUE(QTest::qWaitFor(arrived, patience));
   waitUntilDrawn();
   choose("kind", kindOf<methods::Cone>);
   EXPECT_EQ(document().look().method.kind, kindOf<methods::Cone>);
   EXPECT_EQ(shown().kind, kindOf<methods::Explode>);
-  EXPECT_TRUE(QTest::qWaitFor([&] { return shown() == document().look().method; }, 20000));
+  EXPECT_TRUE(QTest::qWaitFor([&] { return shown() == document().look().method; }, patience));
   waitUntilDrawn();
   cameras().setAnimated(false);
   choose("kind", kindOf<methods::Explode>);

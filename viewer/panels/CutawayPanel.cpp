@@ -58,13 +58,13 @@ void CutawayPanel::layOut() {
   const auto name = [](const auto& setting) { return translated(setting.name); };
   form_->addRow(enabled_);
   form_->addRow(name(settingOf(&Method::kind)), method_);
-  methodRows_.emplace(document_, *form_);
-  form_->addRow(carving_);
   form_->addRow(name(settingOf(&Cutaway::openWidth)), openWidth_);
   auto* border = new QHBoxLayout;
   border->addWidget(borderWidth_, 1);
   border->addWidget(colour_);
   form_->addRow(name(settingOf(&Cutaway::borderWidth)), border);
+  methodRows_.emplace(document_, *form_);
+  form_->addRow(carving_);
   axis_->addWidget(axisOffset_, 1);
   axis_->addWidget(axisDirection_);
   form_->addRow(name(settingOf(&Cutaway::axisOffset)), axis_);
@@ -76,6 +76,12 @@ void CutawayPanel::apply(int openingLook) {
   Look look = document_.look();
   openingLooks()[static_cast<std::size_t>(openingLook)].applyTo(look.cutaway, look.contextLayer);
   document_.edit(tr("Look"), std::move(look));
+}
+
+QSize CutawayPanel::sizeHint() const {
+  const QSize now = QWidget::sizeHint();
+  if (height_ == 0 || document_.look().method.kind == kindOf<methods::Adaptive>) height_ = now.height();
+  return {now.width(), height_};
 }
 
 void CutawayPanel::addFreeze(QAction* freeze) {

@@ -1,6 +1,6 @@
 #pragma once
-// How the view is opened to the focus: the method, its opening and its border. It is low and never scrolls, so that
-// both widths are always in sight.
+// How the view is opened to the focus: the method, its opening and its border. Both widths come first, so that they are
+// always in sight.
 
 #include <optional>
 
@@ -20,6 +20,9 @@ class CutawayPanel : public QWidget {
   CutawayPanel(Document& document, Carving& carving, QWidget* parent = nullptr);
 
   SliderSpin* openWidth() const { return openWidth_; }
+  /// As high as with the adaptive cutaway, whichever method is chosen: rows of other methods scroll, so that nothing
+  /// moves under the mouse when one is chosen.
+  QSize sizeHint() const override;
   /// A button for the command that freezes the opening, beside the axis offset.
   void addFreeze(QAction* freeze);
 
@@ -42,6 +45,7 @@ class CutawayPanel : public QWidget {
   CarvingRows* carving_;
   QComboBox *look_, *unit_;
   ColourButton* colour_;
+  mutable int height_ = 0;  ///< of the hint
 };
 
 }  // namespace fenestra::viewer

@@ -14,6 +14,12 @@ void ScrollingPanel::setBody(QWidget* body) {
   setWidgetResizable(true);
   setFrameShape(QFrame::NoFrame);
   setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  // The bar has its place before it is needed: the controls stay where they are when it comes.
+  const auto reserve = [this](int, int last) {
+    setViewportMargins(0, 0, last > 0 ? 0 : verticalScrollBar()->sizeHint().width(), 0);
+  };
+  connect(verticalScrollBar(), &QScrollBar::rangeChanged, this, reserve);
+  reserve(0, verticalScrollBar()->maximum());
   for (auto* widget : body->findChildren<QWidget*>())
     if (qobject_cast<QComboBox*>(widget) || qobject_cast<QAbstractSlider*>(widget) ||
         qobject_cast<QAbstractSpinBox*>(widget)) {
