@@ -18,7 +18,7 @@ void ArchiveWindow::SetUp() {
   window_ = std::make_unique<MainWindow>(MainWindow::Setup{.gl = gl_, .atRest = Effort{.quality = Quality::Draft}});
   window_->resize(1280, 800);
   window_->show();
-  ASSERT_TRUE(QTest::qWaitForWindowExposed(window_.get()));
+  ASSERT_TRUE(QTest::qWaitForWindowExposed(window_.get(), patience));
   QApplication::setActiveWindow(window_.get());
   setAutomatic(false);
   window_->sessions().questions().saveChanges = [](const QStringList&) { return SessionQuestions::Answer::Discard; };

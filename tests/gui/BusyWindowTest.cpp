@@ -52,7 +52,7 @@ TEST_F(BusyWindow, APictureThatIsBehindIsMarkedUntilItIsThere) {
   const SlowCompiler driver;
   askFor(kindOf<methods::ContextPreserving>);
   EXPECT_FALSE(isMarked(volume(0))) << "a short wait is no news";
-  ASSERT_TRUE(QTest::qWaitFor([&] { return isMarked(volume(0)) && isMarked(volume(1)); }, 5000));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return isMarked(volume(0)) && isMarked(volume(1)); }, patience));
   EXPECT_TRUE(bar()->isVisible());
   waitUntilDrawn();
   EXPECT_FALSE(isMarked(volume(0)));
@@ -63,7 +63,7 @@ TEST_F(BusyWindow, WhatIsAwaitedCanBeTakenBack) {
   const Look before = document().look();
   const SlowCompiler driver;
   askFor(kindOf<methods::ContextPreserving>);
-  ASSERT_TRUE(QTest::qWaitFor([&] { return bar()->isVisible(); }, 5000));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return bar()->isVisible(); }, patience));
   QTest::mouseClick(bar()->findChild<QPushButton*>(), Qt::LeftButton);
   EXPECT_EQ(document().look(), before);
   waitUntilDrawn();
@@ -75,7 +75,7 @@ TEST_F(BusyWindow, AFreezeThatIsAwaitedCanBeTakenBack) {
   waitUntilDrawn();
   const SlowCompiler driver;
   cameras().setFrozen({OpeningView{cameras().camera(0), {100, 100}, 1.0}, std::nullopt});
-  ASSERT_TRUE(QTest::qWaitFor([&] { return bar()->isVisible(); }, 5000));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return bar()->isVisible(); }, patience));
   QTest::mouseClick(bar()->findChild<QPushButton*>(), Qt::LeftButton);
   EXPECT_FALSE(cameras().frozen()[0]);
   EXPECT_TRUE(document().isFocused(marker)) << "what showed before stays";
@@ -91,7 +91,7 @@ TEST_F(BusyWindow, AllViewsAreMarkedWhileALabelIsEdited) {
   };
   HeldThreads threads;
   QTest::mouseClick(edits().button(LabelOperation::Grow), Qt::LeftButton);
-  ASSERT_TRUE(QTest::qWaitFor(areMarked, 5000));
+  ASSERT_TRUE(QTest::qWaitFor(areMarked, patience));
   EXPECT_FALSE(bar()->isVisible()) << "the bar of the edit shows";
   EXPECT_TRUE(shownJob());
   threads.release();

@@ -35,7 +35,7 @@ TEST_F(CloseStudy, LetsGoOfVoxelsAndLabels) {
   EXPECT_FALSE(document().hasVolume());
   EXPECT_EQ(window_->windowTitle(), QStringLiteral("Fenestra"));
   // Work in the background that was asked to stop ends soon.
-  EXPECT_TRUE(QTest::qWaitFor([&] { return volume.expired() && labels.expired(); }, 20000))
+  EXPECT_TRUE(QTest::qWaitFor([&] { return volume.expired() && labels.expired(); }, patience))
       << volume.use_count() << " and " << labels.use_count() << " still hold them";
   for (const char* text : {"Close study", "Reset view", "Save session", "Copy picture"}) {
     ASSERT_TRUE(entry(text)) << text;

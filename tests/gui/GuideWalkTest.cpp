@@ -49,7 +49,7 @@ class GuideWalk : public Window {
                          });
     window_->resize(1120, 720);
     window_->show();
-    ASSERT_TRUE(QTest::qWaitForWindowExposed(window_.get()));
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(window_.get(), patience));
     QApplication::setActiveWindow(window_.get());
     window_->tour().setAnimated(false);
     cameras().setAnimated(false);

@@ -18,6 +18,7 @@
 #include "io/TransferFunctionFile.h"
 #include "rendering/scene/Lighting.h"
 #include "rendering/settings/Settings.h"
+#include "tests/gui/Patience.h"
 #include "viewer/model/Languages.h"
 #include "viewer/model/NumberText.h"
 #include "viewer/model/Preferences.h"
@@ -135,7 +136,7 @@ class UpToDate : public testing::Test {
     script.setProcessChannelMode(QProcess::MergedChannels);
     script.start(QStringLiteral(FENESTRA_SOURCE_DIR "/packaging/translations"),
                  {QStringLiteral("--into"), folder().path()});
-    ASSERT_TRUE(script.waitForFinished(600000));
+    ASSERT_TRUE(script.waitForFinished(patience));
     output() = QString::fromUtf8(script.readAll());
     ASSERT_EQ(script.exitCode(), 0) << output().toStdString();
   }

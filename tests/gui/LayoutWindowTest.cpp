@@ -115,12 +115,12 @@ TEST_F(Window, AFoldedPanelKeepsItsTitleAlone) {
   }
   MainWindow again(setup);
   again.show();
-  ASSERT_TRUE(QTest::qWaitForWindowExposed(&again));
+  ASSERT_TRUE(QTest::qWaitForWindowExposed(&again, patience));
   auto* context = again.findChild<QDockWidget*>(QStringLiteral("contextDock"));
   EXPECT_TRUE(context->widget()->isHidden()) << "the next start has it folded";
   context->findChild<QToolButton*>(QStringLiteral("fold"))->click();
   EXPECT_FALSE(context->widget()->isHidden());
-  EXPECT_TRUE(QTest::qWaitFor([&] { return context->height() > 150; }, 20000));
+  EXPECT_TRUE(QTest::qWaitFor([&] { return context->height() > 150; }, patience));
 }
 
 TEST_F(Window, HeightsOfPanelsAreTheUsersOnceABorderWasDragged) {
@@ -131,7 +131,7 @@ TEST_F(Window, HeightsOfPanelsAreTheUsersOnceABorderWasDragged) {
     MainWindow window(setup);
     window.resize(1600, 1000);
     window.show();
-    ASSERT_TRUE(QTest::qWaitForWindowExposed(&window));
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(&window, patience));
     const std::vector<int> first = dockHeights(window);
     auto* context = window.findChild<QDockWidget*>(QStringLiteral("contextDock"));
     window.resizeDocks({context}, {first[1] - 60}, Qt::Vertical);  // as dragging its border does
@@ -147,7 +147,7 @@ TEST_F(Window, HeightsOfPanelsAreTheUsersOnceABorderWasDragged) {
   }
   MainWindow again(setup);
   again.show();
-  ASSERT_TRUE(QTest::qWaitForWindowExposed(&again));
+  ASSERT_TRUE(QTest::qWaitForWindowExposed(&again, patience));
   QCoreApplication::processEvents();
   for (std::size_t i = 0; i < chosen.size(); ++i)
     EXPECT_NEAR(dockHeights(again)[i], chosen[i], 12) << "and so does the next start";

@@ -11,12 +11,11 @@
 #include <QTest>
 #include <QThread>
 
+#include "tests/gui/Patience.h"
 #include "viewer/jobs/LoadJob.h"
 
 namespace fenestra::viewer::loadJobTest {
 namespace {
-
-constexpr int patience = 5000;  ///< ms; reached only when something hangs
 
 /// Reports progress until it is told to stop.
 LoadJob::Show readForever(const io::Progress& progress) {
@@ -113,14 +112,14 @@ TEST(LoadJob, AHeldOutcomeWaitsAndAnotherJobTakesItsPlace) {
   EXPECT_TRUE(job.isRunning());
   job.release();
   EXPECT_EQ(shown, 0) << "whoever asked goes on first";
-  ASSERT_TRUE(QTest::qWaitFor([&] { return !job.isRunning(); }));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !job.isRunning(); }, patience));
   EXPECT_EQ(shown, 1);
   job.hold();
   job.start(read(2));
   QTest::qWait(100);
   job.release();
   job.start(read(3));
-  ASSERT_TRUE(QTest::qWaitFor([&] { return !job.isRunning(); }));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !job.isRunning(); }, patience));
   EXPECT_EQ(shown, 3);
 }
 

@@ -8,6 +8,7 @@
 #include <QMenuBar>
 
 #include "tests/gui/Conventions.h"
+#include "tests/gui/Patience.h"
 #include "tests/io/DicomWriter.h"
 #include "tests/support/TestData.h"
 #include "viewer/dialogs/Dialogs.h"
@@ -83,7 +84,7 @@ void Conventions::addFileAndEditCases(Cases& cases) {
     press("Ctrl+Q");
     EXPECT_FALSE(window_->isVisible());
     window_->show();
-    ASSERT_TRUE(QTest::qWaitForWindowExposed(window_.get()));
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(window_.get(), patience));
     QApplication::setActiveWindow(window_.get());
   };
   const auto undoAndRedo = [this] {

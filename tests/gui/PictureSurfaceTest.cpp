@@ -65,7 +65,7 @@ struct Surfaces : testing::Test {
     SurfaceWindow window(software, *picture);
     window.resize(120, 90);
     window.show();
-    if (!QTest::qWaitForWindowExposed(&window)) ADD_FAILURE() << "no window";
+    if (!QTest::qWaitForWindowExposed(&window, patience)) ADD_FAILURE() << "no window";
     context.run([&] { window.surface->take(*picture); });
     const int before = window.shown;
     window.surface->widget().update();

@@ -12,6 +12,7 @@
 
 #include "rendering/viewpoints/LiveSync.h"
 #include "rendering/viewpoints/Sphere.h"
+#include "tests/gui/Patience.h"
 #include "tests/support/TestData.h"
 #include "viewer/model/Document.h"
 #include "viewer/model/Mollweide.h"
@@ -22,8 +23,6 @@ namespace fenestra::viewer::placementTest {
 namespace {
 
 constexpr double tolerance = 1e-9;  ///< error of unit vectors after a few operations in double precision
-constexpr int patience = 5000;      ///< ms; reached only when something hangs
-
 /// The direction whose descriptors are best.
 const glm::dvec3 bestDirection = glm::normalize(glm::dvec3(1.0, -2.0, 0.5));
 
@@ -194,7 +193,7 @@ TEST_F(Placement, C2FollowsATurnedC1ButNotTheOtherWayRound) {
     EXPECT_NEAR(glm::dot(direction(0), direction(1)), held, tolerance) << "while C1 turns, C2 turns along";
   }
   EXPECT_TRUE(placement_.isBusy());
-  ASSERT_TRUE(QTest::qWaitFor([&] { return cameras_.isFlying(); }));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return cameras_.isFlying(); }, patience));
   ASSERT_TRUE(arrive());
   const auto dual = placement::chooseDual(*placement_.measured(), direction(0), placement_.settings().options);
   EXPECT_LE(glm::distance(direction(1), placement_.measured()->candidates[*dual.c2].direction), tolerance);

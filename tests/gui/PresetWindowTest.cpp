@@ -34,7 +34,7 @@ class PresetWindow : public Window {
         MainWindow::Setup{.gl = gl_, .atRest = Effort{.quality = Quality::Draft}, .remember = true});
     window_->resize(1280, 800);
     window_->show();
-    ASSERT_TRUE(QTest::qWaitForWindowExposed(window_.get()));
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(window_.get(), patience));
     QApplication::setActiveWindow(window_.get());
     setAutomatic(false);
     open(markedBall());

@@ -125,7 +125,7 @@ class PrivacyWindow : public Window {
     window_ = std::make_unique<MainWindow>(MainWindow::Setup{.gl = gl_, .atRest = Effort{.quality = Quality::Draft}});
     window_->resize(1280, 800);
     window_->show();
-    ASSERT_TRUE(QTest::qWaitForWindowExposed(window_.get()));
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(window_.get(), patience));
     QApplication::setActiveWindow(window_.get());
     setAutomatic(false);
     SessionQuestions& questions = window_->sessions().questions();

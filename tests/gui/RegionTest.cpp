@@ -10,6 +10,7 @@
 #include <QTest>
 
 #include "io/study/GrowRegion.h"
+#include "tests/gui/Patience.h"
 #include "viewer/jobs/LabelEditor.h"
 #include "viewer/jobs/RegionGrower.h"
 #include "viewer/model/Document.h"
@@ -18,8 +19,6 @@
 
 namespace fenestra::viewer::regionTest {
 namespace {
-
-constexpr int patience = 30000;  ///< ms; reached only when something hangs
 
 /// Two balls of value 500 in 100, with noise, 150×60×60 voxels of 1 mm: the second lies beyond previewBox().
 const glm::dvec3 left(30.0, 30.0, 30.0), right(115.0, 30.0, 30.0);

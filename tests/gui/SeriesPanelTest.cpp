@@ -9,6 +9,7 @@
 #include <QTreeWidgetItemIterator>
 
 #include "io/study/ReadStudy.h"
+#include "tests/gui/Patience.h"
 #include "tests/io/DicomWriter.h"
 #include "tests/support/TestData.h"
 #include "viewer/model/Document.h"
@@ -80,7 +81,7 @@ TEST_F(SeriesList, ShowsPatientsStudiesAndSeriesWithTheirPictures) {
                                             QStringLiteral("4 · Head 1.0\nCT · 1.5 mm, every 1 mm · B30f\n3 images")}));
   // The pictures come from another thread.
   for (int row = 0; row < 2; ++row) {
-    EXPECT_TRUE(QTest::qWaitFor([&] { return colourAt(row, 0.25) == QColor(Qt::white); })) << row;
+    EXPECT_TRUE(QTest::qWaitFor([&] { return colourAt(row, 0.25) == QColor(Qt::white); }, patience)) << row;
     EXPECT_EQ(colourAt(row, 0.75), QColor(Qt::black)) << row;
   }
   EXPECT_TRUE(panel_.rows()[1]->font(0).bold()) << "the thinner volume is open";

@@ -69,7 +69,7 @@ class SessionWindow : public Window {
     window_ = std::make_unique<MainWindow>(MainWindow::Setup{.gl = gl_, .atRest = Effort{}, .remember = false});
     window_->resize(size);
     window_->show();
-    ASSERT_TRUE(QTest::qWaitForWindowExposed(window_.get()));
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(window_.get(), patience));
     failOnQuestions();
   }
 

@@ -7,6 +7,7 @@
 
 #include <glm/gtc/constants.hpp>
 
+#include "tests/gui/Patience.h"
 #include "viewer/model/Document.h"
 #include "viewer/model/Fidelity.h"
 #include "viewer/model/SlabText.h"
@@ -151,7 +152,7 @@ TEST_F(SlicePlanesModel, FaceACameraUntilTheyAreTurnedByHand) {
   EXPECT_EQ(axes.down, -camera.up);
   EXPECT_EQ(axes.normal, camera.forward);
   changed.clear();
-  ASSERT_TRUE(QTest::qWaitFor([&] { return !planes_.isMoving(SlicePlane::Axial); }, 60000));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !planes_.isMoving(SlicePlane::Axial); }, patience));
   EXPECT_FALSE(changed.isEmpty()) << "so that views draw the picture at rest";
 
   planes_.setAxes(SlicePlane::Axial, turned(axes, {0, 0, 1}, 0.1));

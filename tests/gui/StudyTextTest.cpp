@@ -159,7 +159,7 @@ TEST_F(StudyWindow, WindowAndLevelAreTypedAsNumbers) {
   QTest::keyClick(window_.get(), Qt::Key_W);
   auto* dialog = window_->findChild<WindowLevelDialog*>();
   ASSERT_TRUE(dialog);
-  ASSERT_TRUE(QTest::qWaitForWindowExposed(dialog));
+  ASSERT_TRUE(QTest::qWaitForWindowExposed(dialog, patience));
   QApplication::setActiveWindow(dialog);  // Xvfb has no window manager to do it
   for (QAction* action : window_->findChildren<QAction*>())
     if (action->shortcut() == QKeySequence(Qt::Key_W)) action->trigger();

@@ -8,6 +8,7 @@
 
 #include "io/Thumbnail.h"
 #include "io/VolumeReader.h"
+#include "tests/gui/Patience.h"
 #include "tests/io/DicomWriter.h"
 #include "tests/io/IoTesting.h"
 #include "tests/support/TestData.h"
@@ -18,8 +19,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using tests::DicomSpec;
-
-constexpr int patience = 5000;  ///< ms; reached only when something hangs
 
 /// Axial slices of 8×4 pixels, 1 mm wide and 2 mm high. Slice k is black left of column k, and white from it on.
 io::SeriesInfo writeSeries(const fs::path& folder) {

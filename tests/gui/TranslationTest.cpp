@@ -189,7 +189,7 @@ TEST_F(PseudoWindow, TheWelcomePageShowsItsTextsTranslatedAndWhole) {
   MainWindow window({.gl = gl_, .remember = false});
   window.resize(1024, 700);
   window.show();
-  ASSERT_TRUE(QTest::qWaitForWindowExposed(&window));
+  ASSERT_TRUE(QTest::qWaitForWindowExposed(&window, patience));
   QTest::qWait(20);
   EXPECT_EQ(untranslatedIn(window).join(QLatin1Char('\n')).toStdString(), "");
   EXPECT_EQ(cutIn(window).join(QLatin1Char('\n')).toStdString(), "");

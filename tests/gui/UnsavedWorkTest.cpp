@@ -175,7 +175,7 @@ TEST(EndingProgram, EndsInOrderByTheSystemsSignals) {
     // It sets its handlers when the window is shown, before it handles events.
     ASSERT_TRUE(QTest::qWaitFor([&] { return handles(program.processId(), signal); }, patience));
     ASSERT_EQ(::kill(static_cast<pid_t>(program.processId()), signal), 0);
-    ASSERT_TRUE(program.waitForFinished(60000)) << signal;
+    ASSERT_TRUE(program.waitForFinished(patience)) << signal;
     EXPECT_EQ(program.exitStatus(), QProcess::NormalExit) << signal;
     EXPECT_EQ(program.exitCode(), 0) << signal;
   }

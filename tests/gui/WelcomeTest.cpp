@@ -108,7 +108,7 @@ class WelcomeBack : public Welcome {
     preferences.addRecent(folder / "Vermeer" / "work.fenestra");
     window_ = std::make_unique<MainWindow>(MainWindow::Setup{.gl = gl_, .remember = true});
     window_->show();
-    ASSERT_TRUE(QTest::qWaitForWindowExposed(window_.get()));
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(window_.get(), patience));
   }
   void TearDown() override {
     window_.reset();

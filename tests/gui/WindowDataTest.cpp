@@ -144,7 +144,7 @@ TEST_F(Window, TheFileMenuOpensAFolderOfMasksAndATableOfLabels) {
     return names;
   };
   const auto become = [&](const std::vector<std::string>& names) {
-    EXPECT_TRUE(QTest::qWaitFor([&] { return namesOf() == names; }, 20000))
+    EXPECT_TRUE(QTest::qWaitFor([&] { return namesOf() == names; }, patience))
         << testing::PrintToString(namesOf()) << window_->notices().texts().join(QLatin1Char('|')).toStdString();
   };
   chooseBy(*window_, "Open a folder of &masks…", folder);
@@ -477,7 +477,7 @@ TEST(WindowWithoutOpenGl, ExplainsItselfAndKeepsTheSlices) {
   MainWindow window({.gl = {.problem = QStringLiteral("No driver here.")}, .remember = false});
   window.resize(1280, 800);
   window.show();
-  ASSERT_TRUE(QTest::qWaitForWindowExposed(&window));
+  ASSERT_TRUE(QTest::qWaitForWindowExposed(&window, patience));
   QSignalSpy opened(&window, &MainWindow::opened);
   window.open([](const io::Progress&) { return markedBall(); });
   ASSERT_TRUE(opened.wait(patience));

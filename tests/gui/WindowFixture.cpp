@@ -69,7 +69,7 @@ void Window::makeWindow() {
       MainWindow::Setup{.gl = gl_, .atRest = Effort{.quality = Quality::Draft}, .remember = false});
   window_->resize(1280, 800);
   window_->show();
-  ASSERT_TRUE(QTest::qWaitForWindowExposed(window_.get()));
+  ASSERT_TRUE(QTest::qWaitForWindowExposed(window_.get(), patience));
   QApplication::setActiveWindow(window_.get());  // Xvfb has no window manager to do it; keys need it
   setAutomatic(false);
 }

@@ -11,13 +11,12 @@
 
 #include <QPointF>
 
+#include "tests/gui/Patience.h"
 #include "viewer/MainWindow.h"
 #include "viewer/views/ViewArea.h"
 
 namespace fenestra::viewer {
 
-/// ms; reached only when something hangs. Sanitizers on a busy machine are a hundred times slower than a release build.
-constexpr int patience = 600000;
 constexpr std::uint16_t body = 1, marker = 2;
 
 /// Where the marker is: to the patient's left, anterior and superior of the middle.
