@@ -232,7 +232,7 @@ void report(const ReportOptions& options) {
 }
 
 bool describeResult(const InfoOptions& options) {
-  if (options.tags || !options.data.phantom.empty()) return false;
+  if (options.tags || options.data.raw || options.data.path.empty()) return false;
   const std::optional<io::report::ResultObject> result = io::report::readResult(options.data.path);
   if (!result) return false;
   Json values = Json::array(), images = Json::array();

@@ -47,8 +47,9 @@ void writeKeyObjects(const KeyObjects& objects, const std::vector<fs::path>& ser
     tree.addContentItem(DSRTypes::RT_contains, DSRTypes::VT_Text, mode);
     mode = DSRTypes::AM_afterCurrent;
     require(tree.getCurrentContentItem().setConceptName(CODE_DCM_KeyObjectDescription), file, "its description");
-    require(tree.getCurrentContentItem().setStringValue(bounded(objects.description, 1024).c_str()), file,
-            "its description");
+    // Unchecked: DCMTK's check knows no characters beyond ASCII.
+    const std::string description = bounded(objects.description, 1024);
+    require(tree.getCurrentContentItem().setStringValue(description.c_str(), OFFalse), file, "its description");
   }
   for (const auto& [index, frames] : framesOfFiles(objects, files)) {
     const DicomFile& image = files[index];

@@ -62,7 +62,8 @@ void addLabels(Report& report, const Measures& measures, DcmDataset& segmentatio
     auto& group = report.getVolumetricROIMeasurements();
     const std::string name =
         label.name.empty() ? "label " + std::to_string(label.statistics.label) : longString(label.name);
-    require(group.setTrackingIdentifier(name.c_str()), file, "a label's name");
+    // Unchecked: DCMTK's check knows no characters beyond ASCII.
+    require(group.setTrackingIdentifier(name.c_str(), OFFalse), file, "a label's name");
     require(group.setTrackingUniqueIdentifier(newUid().c_str()), file, "a label's identifier");
     require(group.setReferencedSegment(segmentation, static_cast<Uint16>(i + 1), OFFalse), file, "a segment");
     require(group.setSourceSeriesForSegmentation(series.c_str()), file, "the series");
