@@ -22,7 +22,7 @@ namespace {
 
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
-using Kind = ReportOptions::Kind;
+using ReportKind = ReportOptions::Kind;
 
 std::optional<int> wholeNumber(const std::string& text) {
   int value = 0;
@@ -178,12 +178,12 @@ Json jsonOf(const io::report::ResultObject::Value& value) {
 }  // namespace
 
 void addReportOptions(app::Command command, ReportOptions& options) {
-  app::addChoice<Kind>(command, "KIND", "measures, segmentation, capture or keys",
-                       {{"measures", Kind::Measures},
-                        {"segmentation", Kind::Segmentation},
-                        {"capture", Kind::Capture},
-                        {"keys", Kind::Keys}},
-                       options.kind)
+  app::addChoice<ReportKind>(command, "KIND", "measures, segmentation, capture or keys",
+                             {{"measures", ReportKind::Measures},
+                              {"segmentation", ReportKind::Segmentation},
+                              {"capture", ReportKind::Capture},
+                              {"keys", ReportKind::Keys}},
+                             options.kind)
       .required();
   app::addVolumeOptions(command, options.data);
   command.group("Labels");
@@ -203,8 +203,8 @@ void addReportOptions(app::Command command, ReportOptions& options) {
   command.addValue("--description", options.description, "of a capture or of keys: what it shows, or why").as("TEXT");
   command.atLast([command, segments, picture, slices, &options] {
     if (!command.isGiven("PATH") && !command.isGiven("--phantom")) throw app::MissingOption{"PATH or --phantom"};
-    if (options.kind == Kind::Capture && !picture.isGiven()) throw app::MissingOption{"--picture", "capture"};
-    if (options.kind == Kind::Keys && !slices.isGiven()) throw app::MissingOption{"--slices", "keys"};
+    if (options.kind == ReportKind::Capture && !picture.isGiven()) throw app::MissingOption{"--picture", "capture"};
+    if (options.kind == ReportKind::Keys && !slices.isGiven()) throw app::MissingOption{"--slices", "keys"};
     if (options.output.extension() != ".dcm")
       throw app::WrongValue{"--output: " + options.output.string() + " does not end in .dcm"};
   });
@@ -213,11 +213,11 @@ void addReportOptions(app::Command command, ReportOptions& options) {
 void report(const ReportOptions& options) {
   const io::Study study = io::openData(options.data, progressOnTerminal());
   printWarnings(study.warnings);
-  const std::map<Kind, std::pair<const char*, Json (*)(const io::Study&, const ReportOptions&)>> kinds{
-      {Kind::Measures, {"measures", reportMeasures}},
-      {Kind::Segmentation, {"segmentation", reportSegmentation}},
-      {Kind::Capture, {"capture", reportCapture}},
-      {Kind::Keys, {"keys", reportKeys}}};
+  const std::map<ReportKind, std::pair<const char*, Json (*)(const io::Study&, const ReportOptions&)>> kinds{
+      {ReportKind::Measures, {"measures", reportMeasures}},
+      {ReportKind::Segmentation, {"segmentation", reportSegmentation}},
+      {ReportKind::Capture, {"capture", reportCapture}},
+      {ReportKind::Keys, {"keys", reportKeys}}};
   const auto& [name, write] = kinds.at(options.kind);
   const Json details = write(study, options);
   const std::optional<io::report::ResultObject> written = io::report::readResult(options.output);
