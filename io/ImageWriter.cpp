@@ -2,9 +2,11 @@
 #include "io/base/AtomicFile.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cerrno>
 #include <cstring>
+#include <fstream>
 #include <memory>
 
 #include <png.h>
@@ -125,6 +127,29 @@ void writePng(const fs::path& path, glm::ivec2 size, int channels, std::span<con
   writeAtomically(path, [&](const fs::path& temporary) {
     writeBytes(temporary, {{bytes.data(), front}, {chunk.data(), chunk.size()}, {bytes.data() + front, lastChunk}});
   });
+}
+
+std::vector<PngText> readPngTexts(const fs::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::array<char, 8> head{};  // the signature, then length and type of each chunk
+  if (!file.read(head.data(), head.size()) || png_sig_cmp(reinterpret_cast<png_const_bytep>(head.data()), 0, 8) != 0)
+    throw Error(path, "is no PNG", "name a picture that ends in .png");
+  std::vector<PngText> texts;
+  constexpr std::streamoff sumBytes = 4, longest = 1 << 20;
+  while (file.read(head.data(), head.size())) {
+    std::streamoff length = 0;
+    for (int i = 0; i < 4; ++i) length = length << 8 | static_cast<unsigned char>(head[static_cast<std::size_t>(i)]);
+    if (std::string_view(head.data() + 4, 4) != "tEXt" || length > longest) {
+      file.seekg(length + sumBytes, std::ios::cur);
+      continue;
+    }
+    std::string content(static_cast<std::size_t>(length), '\0');
+    if (!file.read(content.data(), length)) break;
+    file.seekg(sumBytes, std::ios::cur);
+    if (const std::size_t end = content.find('\0'); end != std::string::npos)
+      texts.push_back({content.substr(0, end), content.substr(end + 1)});
+  }
+  return texts;
 }
 
 void writeLayer(const fs::path& path, glm::ivec2 size, int channels, std::span<const float> values) {

@@ -31,5 +31,7 @@ struct Picture {
   std::vector<float> values;
 };
 Picture readPicture(const std::filesystem::path& path);
+/// The text chunks (tEXt) of a PNG, in their order; longer ones than a megabyte are left out. Throws Error.
+std::vector<PngText> readPngTexts(const std::filesystem::path& path);
 
 }  // namespace fenestra::io

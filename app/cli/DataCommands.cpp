@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/cli/Report.h"
+#include "app/cli/ResultsCommand.h"
 #include "io/LabelWriter.h"
 #include "io/VolumeWriter.h"
 #include "io/base/Text.h"
@@ -150,6 +151,7 @@ Json describe(const io::Session& session) {
 }  // namespace
 
 void info(const InfoOptions& options) {
+  if (describeResult(options)) return;
   const io::Study study = io::openData(options.data, progressOnTerminal());
   const Volume& volume = *study.scene.volume;
   const Grid& grid = volume.grid;

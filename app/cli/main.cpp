@@ -24,6 +24,7 @@
 #include "app/cli/PlacementOptions.h"
 #include "app/cli/ReformatOptions.h"
 #include "app/cli/Report.h"
+#include "app/cli/ResultsCommand.h"
 #include "app/cli/SliceOptions.h"
 #include "app/options/Completion.h"
 #include "app/options/Numbers.h"
@@ -268,6 +269,15 @@ Runnable addDeidentify(app::Program& program, DeidentifyOptions& options) {
   return {command, nullptr, [&] { return deidentify(options), true; }};
 }
 
+Runnable addReport(app::Program& program, ReportOptions& options) {
+  const app::Command command = program.addCommand(
+      "report",
+      "results as DICOM objects in the study of their series: tables of labels and measures as a structured report, "
+      "segmentations, pictures, key images");
+  addReportOptions(command, options);
+  return {command, &options.data, [&] { return report(options), true; }};
+}
+
 int main(int argc, char** argv) {
   app::Program program(
       "Fenestra without a window: looks into medical volumes and pictures them with an adaptive cutaway.\n"
@@ -288,6 +298,7 @@ int main(int argc, char** argv) {
   CompareOptions compareOptions;
   ArchiveOptions archiveOptions;
   DeidentifyOptions deidentifyOptions;
+  ReportOptions reportOptions;
   const std::array commands{addInfo(program, infoOptions),
                             addConvert(program, convertOptions),
                             addMeasure(program, measureOptions),
@@ -300,7 +311,8 @@ int main(int argc, char** argv) {
                             addCompare(program, compareOptions),
                             addBenchmark(program, benchmarkOptions),
                             addArchive(program, archiveOptions),
-                            addDeidentify(program, deidentifyOptions)};
+                            addDeidentify(program, deidentifyOptions),
+                            addReport(program, reportOptions)};
   try {
     const app::Program::Parsed parsed = program.parse(argc, argv);
     if (parsed.exitCode) return *parsed.exitCode;

@@ -1,6 +1,7 @@
 #include "io/dicom/DicomValues.h"
 
 #include <algorithm>
+#include <charconv>
 
 #include <dcmtk/dcmdata/dcspchrs.h>
 
@@ -56,6 +57,15 @@ std::optional<double> decimalIn(std::string_view text) {
     std::replace(word.begin(), word.end(), ',', '.');
   const auto value = numberIn<double>(word);
   return value && std::isfinite(*value) ? value : std::nullopt;
+}
+
+std::string decimalText(double value) {
+  char text[40];
+  for (int digits = 15;; --digits) {
+    // Not printf, whose decimal point is the locale's.
+    const auto end = std::to_chars(text, text + sizeof text, value, std::chars_format::general, digits).ptr;
+    if (const auto length = static_cast<std::size_t>(end - text); length <= 16 || digits == 1) return {text, length};
+  }
 }
 
 bool usesDecimalCommas(DcmItem& item) {

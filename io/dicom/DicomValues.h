@@ -17,6 +17,8 @@ namespace fenestra::io {
 /// A decimal string (PS3.5 table 6.2-1) as a number; empty when it is none or not finite. A decimal comma, which the
 /// standard forbids, is read as the point that it stands for: usesDecimalCommas() tells of it.
 std::optional<double> decimalIn(std::string_view text);
+/// A number as a decimal string: with as many digits as its 16 characters hold. It must be finite.
+std::string decimalText(double value);
 /// Whether a decimal string of `item` or of what is nested in it is written with a comma.
 bool usesDecimalCommas(DcmItem& item);
 /// Empty when the attribute is absent or holds no finite number there. Number strings may have any VR of text.

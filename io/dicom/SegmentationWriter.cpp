@@ -1,7 +1,6 @@
 #include "io/dicom/SegmentationWriter.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <memory>
 #include <optional>
@@ -45,15 +44,7 @@ void require(const OFCondition& condition, const fs::path& file, const char* wha
                 "write the labels as .nrrd or .nii.gz instead");
 }
 
-/// A decimal string holds 16 characters.
-OFString decimal(double value) {
-  char text[40];
-  for (int digits = 15;; --digits) {
-    // Not printf, whose decimal point is the locale's.
-    const auto end = std::to_chars(text, text + sizeof text, value, std::chars_format::general, digits).ptr;
-    if (const auto length = static_cast<std::size_t>(end - text); length <= 16 || digits == 1) return {text, length};
-  }
-}
+OFString decimal(double value) { return decimalText(value).c_str(); }
 
 Source sourceOf(const std::vector<fs::path>& series, const Grid& grid) {
   Source source;

@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include "io/ImageWriter.h"
+#include "io/LabelWriter.h"
+#include "io/VolumeReader.h"
 #include "io/archive/Server.h"
 #include "tests/archive/MadeStudies.h"
 #include "tests/archive/Servers.h"
@@ -66,6 +69,38 @@ TEST_F(ArchiveCommand, SendsFindsAndRetrievesAFolderThatOtherCommandsOpen) {
     const Result again = run(words);
     expectFailure(again, output);
   }
+}
+
+TEST_F(ArchiveCommand, ResultsComeBackIdentical) {
+  FENESTRA_PROGRAM_OR_SKIP("Orthanc", "orthanc");
+  const std::unique_ptr<RunningServer> running = startOrthanc(folder() / "server");
+  ASSERT_TRUE(running);
+  const std::string server = addressOf(running->server);
+  const MadeStudy study = makeStudy(folder() / "study", "1.2.3.96", 3);
+  io::writePng(at("picture.png"), {2, 1}, 3, std::vector<std::uint8_t>{1, 2, 3, 4, 5, 6});
+  const std::string data = study.folder.string();
+  LabelMap labels;
+  labels.grid = io::openVolume(study.folder).volume->grid;
+  labels.labels = {{1, "first", {1, 0, 0}}};
+  labels.voxels = Voxels(ScalarType::UInt8, labels.grid.voxelCount());
+  std::fill_n(labels.voxels.as<std::uint8_t>().begin(), 500, std::uint8_t{1});
+  io::writeLabels(labels, at("labels.nrrd"));
+  fs::create_directories(at("results"));
+  const std::vector<std::vector<std::string>> reports{
+      {"report", "measures", data, "--labels", at("labels.nrrd"), "-o", at("results/a.dcm")},
+      {"report", "capture", data, "--picture", at("picture.png"), "-o", at("results/b.dcm")},
+      {"report", "keys", data, "--slices", "1", "-o", at("results/c.dcm")}};
+  for (const auto& words : reports) {
+    const Result made = run(words);
+    ASSERT_EQ(made.exitCode, 0) << made.error;
+  }
+  const Result sent = run({"archive", "send", server, at("results")});
+  EXPECT_EQ(sent.exitCode, 0) << sent.error;
+  EXPECT_EQ(sent.json()["accepted"], 4) << sent.out;
+  const Result got = run(
+      {"archive", "get", server, "--key", "StudyInstanceUID=" + study.uid, "-o", at("out"), "--cache", at("cache")});
+  ASSERT_EQ(got.exitCode, 0) << got.error;
+  EXPECT_EQ(objectsIn(at("out")), objectsIn(at("results")));
 }
 
 TEST_F(ArchiveCommand, SpeaksDicomwebAndTellsNoSecret) {
