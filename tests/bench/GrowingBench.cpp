@@ -1,7 +1,8 @@
 // growing-bench FOLDER [PART-OF-A-NAME] [--seeds N] [--steadiness]: grows structures of the labelled data and of the
-// phantoms from random seeds, compares them with their labels, takes times on a head, and writes growing.md to FOLDER;
-// or grows them from neighbouring seeds, in noise and thick slices, and writes growing-steadiness.md. With a part of a
-// name, only the structures that hold it.
+// phantoms from random seeds, compares them with their labels, takes times on a head, and writes growing.md to FOLDER.
+// growing-outcomes.txt beside it keeps what each seed came to: a run that was stopped goes on, and more seeds add to
+// it. Or it grows them from neighbouring seeds, in noise and thick slices, and writes growing-steadiness.md. With a
+// part of a name, only the structures that hold it.
 
 #include <algorithm>
 #include <array>
@@ -9,9 +10,9 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <iomanip>
 #include <iostream>
-#include <map>
 #include <optional>
 #include <random>
 #include <sstream>
@@ -24,8 +25,10 @@
 #include "io/VolumeReader.h"
 #include "rendering/segmentation/Flood.h"
 #include "rendering/segmentation/Mask.h"
+#include "rendering/segmentation/RegionFacts.h"
 #include "rendering/segmentation/RegionGrowing.h"
 #include "rendering/segmentation/Smoothing.h"
+#include "tests/bench/GrowingOutcomes.h"
 #include "tests/bench/GrowingSteadiness.h"
 #include "tests/bench/GrowingTruths.h"
 #include "tests/support/TestData.h"
@@ -134,12 +137,6 @@ Mask without(const Mask& a, const Mask& b) {
   return rest;
 }
 
-struct Outcome {
-  double plain = 0.0, values = 0.0;
-  double click = 0.0, dragged = 0.0, corrected = 0.0, correctedTwice = 0.0;  ///< by tissues
-  bool leaks = false, leaksByValues = false, leaksInTheEnd = false;
-};
-
 /// Over twice the structure, or over 15 % of the body where the structure is less.
 bool isLeak(double volume, const Mask& truth, double body) {
   const double size = volumeOf(truth);
@@ -160,52 +157,40 @@ bool correct(RegionFocus& settings, const Mask& region, const Mask& truth) {
   return true;
 }
 
-Outcome outcomeOf(const LabelledVolume& data, const Mask& truth, std::size_t seed) {
+GrownRegion regionOf(const Volume& volume, const Growth& growth, const Mask& truth) {
+  const int step = growth.curve.automatic;
+  const RegionFacts facts = GrowthFacts(volume, growth).at(growth, step);
+  return {scoresOf(growth, truth).dice[static_cast<std::size_t>(step)], isLeak(facts.volume, truth, growth.bodyVolume),
+          shareOfBody(growth, step).value_or(0.0) <= largeShareOfBody, facts.border == Border::Doubtful};
+}
+
+ClickOutcome outcomeOf(const LabelledVolume& data, const Mask& truth, std::size_t seed) {
   const Volume& volume = *data.volume;
   const VoxelBox whole = wholeOf(volume.grid.dims);
-  const double body = data.memory.tissues()->bodyVolume();
   RegionFocus settings{{worldOf(volume.grid, seed)}, {}, {}};
-  Outcome outcome;
+  ClickOutcome outcome;
   outcome.plain = plainDice(volume, seed, truth);
-  const auto automatic = [](const Growth& growth) { return static_cast<std::size_t>(growth.curve.automatic); };
   {
     const Growth byValues = *growRegion(volume, settings, whole);
-    outcome.values = scoresOf(byValues, truth).dice[automatic(byValues)];
-    outcome.leaksByValues = isLeak(byValues.curve.volume[automatic(byValues)], truth, body);
+    const auto step = static_cast<std::size_t>(byValues.curve.automatic);
+    outcome.values = scoresOf(byValues, truth).dice[step];
+    outcome.leaksByValues = isLeak(byValues.curve.volume[step], truth, data.memory.tissues()->bodyVolume());
   }
   settings.rule = RegionRule::Tissues;
   const auto grow = [&] { return *growRegion(volume, settings, whole, {}, data.memory); };
   Growth growth = grow();
   const Scores scores = scoresOf(growth, truth);
-  outcome.click = outcome.corrected = outcome.correctedTwice = scores.dice[automatic(growth)];
   outcome.dragged = scores.dice[scores.best];
-  outcome.leaks = outcome.leaksInTheEnd = isLeak(growth.curve.volume[automatic(growth)], truth, body);
-  for (double Outcome::*after : {&Outcome::corrected, &Outcome::correctedTwice}) {
+  outcome.byTissues[0] = regionOf(volume, growth, truth);
+  for (const std::size_t corrections : {1U, 2U}) {
     if (correct(settings, maskAt(growth, growth.curve.automatic), truth)) growth = grow();
-    const Mask region = maskAt(growth, growth.curve.automatic);
-    outcome.*after = diceOf(region, truth);
-    outcome.leaksInTheEnd = isLeak(volumeOf(region), truth, body);
+    outcome.byTissues[corrections] = regionOf(volume, growth, truth);
   }
   return outcome;
 }
 
-std::string cell(const std::vector<Outcome>& outcomes, double Outcome::*member) {
-  std::vector<double> values;
-  for (const Outcome& outcome : outcomes) values.push_back(outcome.*member);
-  std::ostringstream text;
-  text << std::fixed << std::setprecision(2) << median(values);
-  return text.str();
-}
-
-std::string leaks(const std::vector<Outcome>& outcomes, bool Outcome::*member) {
-  const auto count = std::count_if(outcomes.begin(), outcomes.end(), [&](const Outcome& each) { return each.*member; });
-  return count ? " (" + std::to_string(count) + ")" : "";
-}
-
-void writeAccuracy(std::ostream& page, const std::string& part, int seeds) {
-  page << "| structure | plain tolerance, best | by values | **click** | one correction | two corrections | after one "
-          "drag "
-          "|\n|---|---|---|---|---|---|---|\n";
+/// Adds what `outcomes` lacks of seeds; calls `changed` after each structure.
+void measure(ClickOutcomes& outcomes, const std::string& part, int seeds, const std::function<void()>& changed) {
   for (const Structure& structure : structures()) {
     if (structure.name.find(part) == std::string::npos) continue;
     const std::optional<LabelledVolume> data = dataOf(structure);
@@ -213,21 +198,18 @@ void writeAccuracy(std::ostream& page, const std::string& part, int seeds) {
       std::cerr << "left out " << structure.name << ": needs " << structure.image << '\n';
       continue;
     }
+    const bool isLarge = data->volume->grid.voxelCount() > largeVolume;
+    const std::size_t wanted = static_cast<std::size_t>(isLarge ? std::max(1, seeds / 5) : seeds);
+    if (outcomes.of(structure.name).size() >= wanted) continue;
     const Mask truth = truthOf(structure, *data->labels);
     const std::vector<std::size_t> inner = innerVoxels(truth);
     std::mt19937 random(12345);
-    std::vector<Outcome> outcomes;
-    const bool isLarge = truth.voxels.size() > largeVolume;
-    for (int i = 0; i < (isLarge ? std::max(1, seeds / 5) : seeds); ++i) {
+    for (std::size_t i = 0; i < wanted; ++i) {
       const std::size_t seed = inner[random() % inner.size()];
-      outcomes.push_back(outcomeOf(*data, partWith(seed, truth), seed));
+      if (i < outcomes.of(structure.name).size()) continue;
+      outcomes.add(structure.name, outcomeOf(*data, partWith(seed, truth), seed));
     }
-    page << "| " << structure.name << (structure.tuned ? " \\*" : "") << " | " << cell(outcomes, &Outcome::plain)
-         << " | " << cell(outcomes, &Outcome::values) << leaks(outcomes, &Outcome::leaksByValues) << " | **"
-         << cell(outcomes, &Outcome::click) << "**" << leaks(outcomes, &Outcome::leaks) << " | "
-         << cell(outcomes, &Outcome::corrected) << " | " << cell(outcomes, &Outcome::correctedTwice)
-         << leaks(outcomes, &Outcome::leaksInTheEnd) << " | " << cell(outcomes, &Outcome::dragged) << " |\n"
-         << std::flush;
+    changed();
     std::cerr << structure.name << '\n';
   }
 }
@@ -312,32 +294,44 @@ void writeTimes(std::ostream& page) {
     std::cerr << "left out the times of a torso: needs labelled/bodyparts3d/torso/torso_ct.nii.gz\n";
 }
 
-void run(const std::filesystem::path& folder, const std::string& part, int seeds) {
-  std::filesystem::create_directories(folder);
+void writePage(const std::filesystem::path& folder, const ClickOutcomes& outcomes, int seeds, bool withTimes) {
   std::ofstream page(folder / "growing.md");
-  page
-      << "# Region growing\n\nMedian Dice over " << seeds
-      << " random inner voxels as seeds, a fifth of that in volumes of more than ten million voxels. In brackets: how "
-         "many of the regions leak, to over twice the structure's "
-         "volume, or "
-         "over 15 % of the body where the structure is less. `growing-bench` writes this page.\n\n"
-         "- By values: the region of rule *values* after one click, as sessions of earlier versions have it.\n"
-         "- Click: the region of rule *tissues* after one click; it is what the window opens.\n"
-         "- Corrections: a seed where the region is most wrong, inside in what it misses or outside in what it should "
-         "not "
-         "hold, whichever is deeper.\n"
-         "- After one drag: the best tolerance for the click, without corrections.\n"
-         "- Constants were chosen on the structures marked \\*.\n"
-         "- A structure in several parts, such as the ventricles, counts as the part that holds the seed.\n"
-         "- AAL labels are an atlas' regions, which T1 values bound in part only. Phantoms have "
-      << phantomVoxels
-      << " voxels along their longest side. *Made* are the labelled bodies of BodyParts3D, with a scanner's noise.\n\n";
-  writeAccuracy(page, part, seeds);
+  page << "# Region growing\n\nMedian Dice over up to " << seeds
+       << " random inner voxels as seeds, a fifth of that in volumes of more than ten million voxels. In brackets: how "
+          "many of the regions leak, to over twice the structure's volume, or over 15 % of the body where the "
+          "structure is less. `growing-bench` writes this page.\n\n"
+          "- By values: the region of rule *values* after one click, as sessions of earlier versions have it.\n"
+          "- Click: the region of rule *tissues* after one click; it is what the window opens.\n"
+          "- Corrections: a seed where the region is most wrong, inside in what it misses or outside in what it should "
+          "not hold, whichever is deeper.\n"
+          "- Plain tolerance, best: connected values around the seed's, with the tolerance that has the best Dice, "
+          "which nobody knows. After one drag: the best tolerance of the click's region, without corrections.\n"
+          "- Constants were chosen on the structures marked \\*.\n"
+          "- A structure in several parts, such as the ventricles, counts as the part that holds the seed.\n"
+          "- AAL labels are an atlas' regions, which T1 values bound in part only. Phantoms have "
+       << phantomVoxels
+       << " voxels along their longest side. *Made* are the labelled bodies of BodyParts3D, with a scanner's noise.\n\n"
+          "## What was wanted, and what is reached\n\nThe median of the structures' medians, and how many of the "
+          "structures reach what is wanted. The columns *not tuned on* leave out the structures marked \\*.\n\n";
+  outcomes.writeGoals(page);
+  page << "\n## Leaks\n\nWanted: 2 % of the seeds after the click, none after two corrections. The window asks before "
+          "it opens to more than 15 % of the body.\n\n";
+  outcomes.writeLeaks(page);
+  page << "\n## Structures\n\n";
+  outcomes.writeRows(page);
+  if (!withTimes) return;
   page << "\n## Times\n\nBy tissues, on " << std::thread::hardware_concurrency()
        << " cores; medians of five. Head: Visible Human, 512×512×245 voxels. Made torso: BodyParts3D, resampled to "
           "512×512×275. The whole region begins with a volume of which nothing is known. `window-bench --grow` "
           "measures what the window adds: the outline on the slice, and the cameras placed and at rest.\n\n";
   writeTimes(page);
+}
+
+void run(const std::filesystem::path& folder, const std::string& part, int seeds) {
+  std::filesystem::create_directories(folder);
+  ClickOutcomes outcomes(folder / "growing-outcomes.txt");
+  measure(outcomes, part, seeds, [&] { writePage(folder, outcomes, seeds, false); });
+  writePage(folder, outcomes, seeds, true);
 }
 
 }  // namespace

@@ -17,8 +17,13 @@ namespace fenestra::bench {
 inline constexpr std::size_t largeVolume = 10'000'000;  ///< voxels; a fifth of the seeds, which take long enough
 inline constexpr int phantomVoxels = 200;               ///< along the longest side
 
+/// What structures have in common that one figure is wanted of. `Air`: lungs and airway; `Spine`: vertebrae and ribs;
+/// `Bone`: other bones but flat ones; `Fluid`: eye, ventricles of the brain, bladder.
+enum class Kind : std::uint8_t { Organ, Air, Vessel, Spine, Bone, Fluid, Nucleus, Other };
+
 struct Structure {
   std::string name;
+  Kind kind;
   std::string image, labels;  ///< of the collection; a phantom's name and empty
   std::vector<std::uint16_t> values;
   bool tuned = false;  ///< constants were chosen on it

@@ -322,6 +322,39 @@ TEST_F(Regions, AnOpenedRegionIsCorrectedFromWhatItGrewFrom) {
   EXPECT_EQ(grower_.memory().first(), first);
 }
 
+TEST_F(Regions, GrownAgainFromItsSeedsARegionIsTheSame) {
+  // Sessions and `fenestra-cli grow` have the seeds alone, and grow from them with nothing known of the volume.
+  const auto expectSame = [&](const char* what) {
+    const auto again = io::growWholeRegion(*document_.scene().volume, *document_.region(), "made");
+    const auto shown = document_.growth()->steps->voxels.as<std::uint8_t>();
+    const auto same = again->steps->voxels.as<std::uint8_t>();
+    EXPECT_TRUE(std::equal(shown.begin(), shown.end(), same.begin(), same.end())) << what;
+    EXPECT_EQ(again->stepOf(*document_.region()), document_.regionStep()) << what;
+  };
+  click(left);
+  waitUntilGrown();
+  const double one = shownVolume();
+  expectSame("a click");
+  click(right, Qt::ShiftModifier);
+  waitUntilGrown();
+  expectSame("a further seed");
+  click({100.0, 30.0, 30.0}, Qt::ControlModifier);
+  waitUntilGrown();
+  EXPECT_EQ(document_.region()->outside.size(), 1u);
+  const double three = shownVolume();
+  expectSame("a seed outside");
+  document_.setBall(30.0);
+  waitUntilGrown();
+  expectSame("a ball");
+  for (int i = 0; i < 3; ++i) document_.undoStack().undo();
+  EXPECT_TRUE(document_.isWhole());
+  EXPECT_EQ(shownVolume(), one);
+  expectSame("undone");
+  for (int i = 0; i < 2; ++i) document_.undoStack().redo();
+  EXPECT_EQ(shownVolume(), three);
+  expectSame("done again");
+}
+
 TEST_F(Regions, ABallBoundsTheRegion) {
   document_.growFrom(left, 8.0);
   waitUntilGrown();
