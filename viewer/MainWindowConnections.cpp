@@ -4,6 +4,7 @@
 #include <cmath>
 #include <memory>
 
+#include <QApplication>
 #include <QDockWidget>
 #include <QTreeWidget>
 
@@ -23,6 +24,7 @@
 #include "viewer/panels/RegionPanel.h"
 #include "viewer/panels/SeriesPanel.h"
 #include "viewer/panels/StrokeList.h"
+#include "viewer/panels/TagsPanel.h"
 #include "viewer/views/PlacementRenderer.h"
 #include "viewer/views/PreviewRenderer.h"
 #include "viewer/views/ViewArea.h"
@@ -100,6 +102,11 @@ void MainWindow::connectPanels() {
     panels_.seriesDock->show();
     panels_.seriesDock->raise();
     panels_.series->list()->setFocus();
+  });
+  // After the views have noted which of them is active, because they connected before.
+  connect(qApp, &QApplication::focusChanged, panels_.tags, [this] {
+    const auto* slice = qobject_cast<const SliceView*>(views_->activeView());
+    panels_.tags->setPlane(slice ? std::optional(slice->plane()) : std::nullopt);
   });
   connect(panels_.focus, &FocusPanel::structureChosen, this, &MainWindow::goToFocus);
   connect(panels_.focus->region(), &RegionPanel::kept, &labelEditor_, &LabelEditor::keepRegion);

@@ -88,6 +88,7 @@ class Conventions : public Window {
   void addEditorGestures(Cases& cases);
   void addGesturesOfAllViews(Cases& cases);
   void addArchiveGestures(Cases& cases);
+  void addListGestures(Cases& cases);
 };
 
 }  // namespace fenestra::viewer

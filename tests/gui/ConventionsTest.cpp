@@ -424,6 +424,7 @@ TEST_F(Conventions, EveryGestureDoesWhatItSays) {
   addEditorGestures(cases);
   addGesturesOfAllViews(cases);
   addArchiveGestures(cases);
+  addListGestures(cases);
   run(cases, wanted);
 }
 

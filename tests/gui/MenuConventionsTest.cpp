@@ -228,6 +228,11 @@ void Conventions::addViewCases(Cases& cases) {
       planes().resetAll();
     };
   cases["F11"] = [this] { expectToggle("F11", [this] { return window_->isFullScreen(); }); };
+  for (const auto& [keys, dock] : {std::pair("Ctrl+T", "tagsDock"), std::pair("Ctrl+Shift+T", "labelTableDock")})
+    cases[keys] = [this, keys = keys, dock = dock] {
+      const QWidget* shown = window_->findChild<QWidget*>(QLatin1String(dock));
+      expectToggle(keys, [shown] { return shown->isVisible(); });
+    };
   cases["Esc"] = [this] {
     views().toggleMaximised(axial());
     press("Esc");
