@@ -20,6 +20,7 @@
 #include "viewer/panels/AppearancePanel.h"
 #include "viewer/panels/BrushPanel.h"
 #include "viewer/panels/FocusPanel.h"
+#include "viewer/panels/KeyImagesPanel.h"
 #include "viewer/panels/LabelEditPanel.h"
 #include "viewer/panels/RegionPanel.h"
 #include "viewer/panels/SeriesPanel.h"
@@ -108,6 +109,7 @@ void MainWindow::connectPanels() {
     const auto* slice = qobject_cast<const SliceView*>(views_->activeView());
     panels_.tags->setPlane(slice ? std::optional(slice->plane()) : std::nullopt);
   });
+  connect(panels_.keyImages, &KeyImagesPanel::keepRequested, this, &MainWindow::keepKeyImage);
   connect(panels_.focus, &FocusPanel::structureChosen, this, &MainWindow::goToFocus);
   connect(panels_.focus->region(), &RegionPanel::kept, &labelEditor_, &LabelEditor::keepRegion);
   connect(panels_.focus->labelEdits(), &LabelEditPanel::edited, &labelEditor_, &LabelEditor::edit);

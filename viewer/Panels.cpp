@@ -16,6 +16,7 @@
 #include "viewer/panels/ContextLayerPanel.h"
 #include "viewer/panels/CutawayPanel.h"
 #include "viewer/panels/FocusPanel.h"
+#include "viewer/panels/KeyImagesPanel.h"
 #include "viewer/panels/LabelTable.h"
 #include "viewer/panels/ScrollingPanel.h"
 #include "viewer/panels/SeriesPanel.h"
@@ -59,6 +60,7 @@ Panels makePanels(QMainWindow& window, Workspace& workspace) {
                 .series = new SeriesPanel(document, workspace.options),
                 .tags = new TagsPanel(document, workspace.cursor, workspace.planes, workspace.options),
                 .labelTable = new LabelTable(document, workspace.placement, workspace.cursor),
+                .keyImages = new KeyImagesPanel(document, workspace.keyImages),
                 .heights = nullptr,
                 .seriesDock = nullptr,
                 .folding = nullptr};
@@ -101,6 +103,9 @@ Panels makePanels(QMainWindow& window, Workspace& workspace) {
   addList(window, *panels.seriesDock,
           *add(PanelsWords::tr("Label table"), "labelTableDock", panels.labelTable, Qt::LeftDockWidgetArea),
           PanelsWords::tr("Ctrl+Shift+T"));
+  addList(window, *panels.seriesDock,
+          *add(PanelsWords::tr("Key images"), "keyImagesDock", panels.keyImages, Qt::LeftDockWidgetArea),
+          PanelsWords::tr("Ctrl+Shift+D"));
   // The list of structures takes the remaining height.
   panels.heights = new DockHeights(window, {focus, context, cutaway});
   const QList<QDockWidget*> docks = window.findChildren<QDockWidget*>();

@@ -15,6 +15,7 @@ class CutawayPanel;
 class DockFolding;
 class DockHeights;
 class FocusPanel;
+class KeyImagesPanel;
 class LabelTable;
 class SeriesPanel;
 class TagsPanel;
@@ -32,13 +33,14 @@ struct Panels {
   SeriesPanel* series;
   TagsPanel* tags;
   LabelTable* labelTable;
+  KeyImagesPanel* keyImages;
   DockHeights* heights;
   QDockWidget* seriesDock;
   DockFolding* folding;
 };
 
-/// Makes the panels and docks them in the window: the lists of series, of DICOM tags and of labels on the left, where
-/// each is hidden until it is asked for, all others on the right.
+/// Makes the panels and docks them in the window: the lists of series, DICOM tags, labels and key images on the left,
+/// where each is hidden until it is asked for, all others on the right.
 Panels makePanels(QMainWindow& window, Workspace& workspace);
 
 }  // namespace fenestra::viewer

@@ -438,6 +438,26 @@
         <source>copy the selected rows, or a value</source>
         <translation>die gewählten Zeilen oder einen Wert kopieren</translation>
     </message>
+    <message>
+        <source>Key images</source>
+        <translation>Schlüsselbilder</translation>
+    </message>
+    <message>
+        <source>Click, Return</source>
+        <translation>Klick, Eingabe</translation>
+    </message>
+    <message>
+        <source>go back to it</source>
+        <translation>dorthin zurück</translation>
+    </message>
+    <message>
+        <source>F2</source>
+        <translation>F2</translation>
+    </message>
+    <message>
+        <source>rename it</source>
+        <translation>umbenennen</translation>
+    </message>
 </context>
 <context>
     <name>Fidelity</name>
@@ -885,6 +905,14 @@
     <message>
         <source>Ctrl+Shift+T</source>
         <translation>Ctrl+Shift+T</translation>
+    </message>
+    <message>
+        <source>Key images</source>
+        <translation>Schlüsselbilder</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+D</source>
+        <translation>Ctrl+Shift+D</translation>
     </message>
 </context>
 <context>
@@ -3730,6 +3758,14 @@ Kosinus des Winkels zur nächsten der sechs</translation>
         <source>Shift+V</source>
         <translation>Shift+V</translation>
     </message>
+    <message>
+        <source>Keep a key image</source>
+        <translation>Schlüsselbild behalten</translation>
+    </message>
+    <message>
+        <source>Ctrl+D</source>
+        <translation>Ctrl+D</translation>
+    </message>
 </context>
 <context>
     <name>fenestra::viewer::AppearancePanel</name>
@@ -4678,6 +4714,60 @@ Kosinus des Winkels zur nächsten der sechs</translation>
     </message>
 </context>
 <context>
+    <name>fenestra::viewer::KeyImages</name>
+    <message>
+        <source>Key image %1</source>
+        <translation>Schlüsselbild %1</translation>
+    </message>
+    <message>
+        <source>Keep a key image</source>
+        <translation>Schlüsselbild behalten</translation>
+    </message>
+    <message>
+        <source>Return to a key image</source>
+        <translation>Zu einem Schlüsselbild zurück</translation>
+    </message>
+    <message>
+        <source>Rename a key image</source>
+        <translation>Schlüsselbild umbenennen</translation>
+    </message>
+    <message>
+        <source>Delete a key image</source>
+        <translation>Schlüsselbild löschen</translation>
+    </message>
+    <message>
+        <source>Move a key image</source>
+        <translation>Schlüsselbild verschieben</translation>
+    </message>
+</context>
+<context>
+    <name>fenestra::viewer::KeyImagesPanel</name>
+    <message>
+        <source>&amp;Keep</source>
+        <translation>&amp;Behalten</translation>
+    </message>
+    <message>
+        <source>&amp;Delete</source>
+        <translation>&amp;Löschen</translation>
+    </message>
+    <message>
+        <source>Key images</source>
+        <translation>Schlüsselbilder</translation>
+    </message>
+    <message>
+        <source>Keeps the cameras, slices, crosshair, focus and look as they are now</source>
+        <translation>Behält Kameras, Schichten, Fadenkreuz, Fokus und Aussehen, wie sie jetzt sind</translation>
+    </message>
+    <message>
+        <source>Moves the key image up</source>
+        <translation>Schiebt das Schlüsselbild nach oben</translation>
+    </message>
+    <message>
+        <source>Moves the key image down</source>
+        <translation>Schiebt das Schlüsselbild nach unten</translation>
+    </message>
+</context>
+<context>
     <name>fenestra::viewer::KeysDialog</name>
     <message>
         <source>Change keys</source>
@@ -5102,6 +5192,10 @@ Kosinus des Winkels zur nächsten der sechs</translation>
     <message>
         <source>%1 lies over other labels and took %2 from them; undo brings them back.</source>
         <translation>%1 liegt über anderen Labels und nahm ihnen %2; Rückgängig bringt sie zurück.</translation>
+    </message>
+    <message>
+        <source>There are %1 key images; delete some to keep another.</source>
+        <translation>Es gibt %1 Schlüsselbilder; löschen Sie einige, um ein weiteres zu behalten.</translation>
     </message>
 </context>
 <context>

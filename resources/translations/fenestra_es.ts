@@ -438,6 +438,26 @@
         <source>copy the selected rows, or a value</source>
         <translation>copiar las filas seleccionadas o un valor</translation>
     </message>
+    <message>
+        <source>Key images</source>
+        <translation>Imágenes clave</translation>
+    </message>
+    <message>
+        <source>Click, Return</source>
+        <translation>Clic, Intro</translation>
+    </message>
+    <message>
+        <source>go back to it</source>
+        <translation>volver a ella</translation>
+    </message>
+    <message>
+        <source>F2</source>
+        <translation>F2</translation>
+    </message>
+    <message>
+        <source>rename it</source>
+        <translation>cambiar su nombre</translation>
+    </message>
 </context>
 <context>
     <name>Fidelity</name>
@@ -885,6 +905,14 @@
     <message>
         <source>Ctrl+Shift+T</source>
         <translation>Ctrl+Shift+T</translation>
+    </message>
+    <message>
+        <source>Key images</source>
+        <translation>Imágenes clave</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+D</source>
+        <translation>Ctrl+Shift+D</translation>
     </message>
 </context>
 <context>
@@ -3730,6 +3758,14 @@ Coseno del ángulo con la más próxima de las seis</translation>
         <source>Shift+V</source>
         <translation>Shift+V</translation>
     </message>
+    <message>
+        <source>Keep a key image</source>
+        <translation>Conservar una imagen clave</translation>
+    </message>
+    <message>
+        <source>Ctrl+D</source>
+        <translation>Ctrl+D</translation>
+    </message>
 </context>
 <context>
     <name>fenestra::viewer::AppearancePanel</name>
@@ -4678,6 +4714,60 @@ Coseno del ángulo con la más próxima de las seis</translation>
     </message>
 </context>
 <context>
+    <name>fenestra::viewer::KeyImages</name>
+    <message>
+        <source>Key image %1</source>
+        <translation>Imagen clave %1</translation>
+    </message>
+    <message>
+        <source>Keep a key image</source>
+        <translation>Conservar una imagen clave</translation>
+    </message>
+    <message>
+        <source>Return to a key image</source>
+        <translation>Volver a una imagen clave</translation>
+    </message>
+    <message>
+        <source>Rename a key image</source>
+        <translation>Cambiar el nombre de una imagen clave</translation>
+    </message>
+    <message>
+        <source>Delete a key image</source>
+        <translation>Eliminar una imagen clave</translation>
+    </message>
+    <message>
+        <source>Move a key image</source>
+        <translation>Mover una imagen clave</translation>
+    </message>
+</context>
+<context>
+    <name>fenestra::viewer::KeyImagesPanel</name>
+    <message>
+        <source>&amp;Keep</source>
+        <translation>&amp;Conservar</translation>
+    </message>
+    <message>
+        <source>&amp;Delete</source>
+        <translation>&amp;Eliminar</translation>
+    </message>
+    <message>
+        <source>Key images</source>
+        <translation>Imágenes clave</translation>
+    </message>
+    <message>
+        <source>Keeps the cameras, slices, crosshair, focus and look as they are now</source>
+        <translation>Conserva las cámaras, los cortes, la cruz, el foco y el aspecto como están ahora</translation>
+    </message>
+    <message>
+        <source>Moves the key image up</source>
+        <translation>Sube la imagen clave</translation>
+    </message>
+    <message>
+        <source>Moves the key image down</source>
+        <translation>Baja la imagen clave</translation>
+    </message>
+</context>
+<context>
     <name>fenestra::viewer::KeysDialog</name>
     <message>
         <source>Change keys</source>
@@ -5102,6 +5192,10 @@ Coseno del ángulo con la más próxima de las seis</translation>
     <message>
         <source>%1 lies over other labels and took %2 from them; undo brings them back.</source>
         <translation>%1 está sobre otras etiquetas y les quitó %2; Deshacer los devuelve.</translation>
+    </message>
+    <message>
+        <source>There are %1 key images; delete some to keep another.</source>
+        <translation>Hay %1 imágenes clave; elimine algunas para conservar otra.</translation>
     </message>
 </context>
 <context>

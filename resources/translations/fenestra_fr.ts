@@ -438,6 +438,26 @@
         <source>copy the selected rows, or a value</source>
         <translation>copier les lignes sélectionnées ou une valeur</translation>
     </message>
+    <message>
+        <source>Key images</source>
+        <translation>Images clés</translation>
+    </message>
+    <message>
+        <source>Click, Return</source>
+        <translation>Clic, Entrée</translation>
+    </message>
+    <message>
+        <source>go back to it</source>
+        <translation>y revenir</translation>
+    </message>
+    <message>
+        <source>F2</source>
+        <translation>F2</translation>
+    </message>
+    <message>
+        <source>rename it</source>
+        <translation>la renommer</translation>
+    </message>
 </context>
 <context>
     <name>Fidelity</name>
@@ -885,6 +905,14 @@
     <message>
         <source>Ctrl+Shift+T</source>
         <translation>Ctrl+Shift+T</translation>
+    </message>
+    <message>
+        <source>Key images</source>
+        <translation>Images clés</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+D</source>
+        <translation>Ctrl+Shift+D</translation>
     </message>
 </context>
 <context>
@@ -3730,6 +3758,14 @@ Cosinus de l&apos;angle avec la plus proche des six</translation>
         <source>Shift+V</source>
         <translation>Shift+V</translation>
     </message>
+    <message>
+        <source>Keep a key image</source>
+        <translation>Garder une image clé</translation>
+    </message>
+    <message>
+        <source>Ctrl+D</source>
+        <translation>Ctrl+D</translation>
+    </message>
 </context>
 <context>
     <name>fenestra::viewer::AppearancePanel</name>
@@ -4678,6 +4714,60 @@ Cosinus de l&apos;angle avec la plus proche des six</translation>
     </message>
 </context>
 <context>
+    <name>fenestra::viewer::KeyImages</name>
+    <message>
+        <source>Key image %1</source>
+        <translation>Image clé %1</translation>
+    </message>
+    <message>
+        <source>Keep a key image</source>
+        <translation>Garder une image clé</translation>
+    </message>
+    <message>
+        <source>Return to a key image</source>
+        <translation>Revenir à une image clé</translation>
+    </message>
+    <message>
+        <source>Rename a key image</source>
+        <translation>Renommer une image clé</translation>
+    </message>
+    <message>
+        <source>Delete a key image</source>
+        <translation>Supprimer une image clé</translation>
+    </message>
+    <message>
+        <source>Move a key image</source>
+        <translation>Déplacer une image clé</translation>
+    </message>
+</context>
+<context>
+    <name>fenestra::viewer::KeyImagesPanel</name>
+    <message>
+        <source>&amp;Keep</source>
+        <translation>&amp;Garder</translation>
+    </message>
+    <message>
+        <source>&amp;Delete</source>
+        <translation>&amp;Supprimer</translation>
+    </message>
+    <message>
+        <source>Key images</source>
+        <translation>Images clés</translation>
+    </message>
+    <message>
+        <source>Keeps the cameras, slices, crosshair, focus and look as they are now</source>
+        <translation>Garde les caméras, les coupes, le réticule, la cible et l&apos;apparence tels qu&apos;ils sont</translation>
+    </message>
+    <message>
+        <source>Moves the key image up</source>
+        <translation>Monte l&apos;image clé</translation>
+    </message>
+    <message>
+        <source>Moves the key image down</source>
+        <translation>Descend l&apos;image clé</translation>
+    </message>
+</context>
+<context>
     <name>fenestra::viewer::KeysDialog</name>
     <message>
         <source>Change keys</source>
@@ -4753,7 +4843,7 @@ Cosinus de l&apos;angle avec la plus proche des six</translation>
     </message>
     <message>
         <source>Written to %1.</source>
-        <translation>Écrit dans %1.</translation>
+        <translation>Écrit dans&#xa0;%1.</translation>
     </message>
     <message>
         <source>%1 cannot be written: %2. Choose another folder.</source>
@@ -4901,11 +4991,11 @@ Cosinus de l&apos;angle avec la plus proche des six</translation>
     <name>fenestra::viewer::LabelModel</name>
     <message>
         <source>Label %1</source>
-        <translation>Étiquette %1</translation>
+        <translation>Étiquette&#xa0;%1</translation>
     </message>
     <message>
         <source>Label %1. Tick it to open the view to it; double-click to focus on it alone and go there; F2 renames it.</source>
-        <translation>Étiquette %1. La cocher ouvre la vue vers elle&#xa0;; un double clic en fait la seule cible et y va&#xa0;; F2 la renomme.</translation>
+        <translation>Étiquette&#xa0;%1. La cocher ouvre la vue vers elle&#xa0;; un double clic en fait la seule cible et y va&#xa0;; F2 la renomme.</translation>
     </message>
     <message>
         <source>Click to choose another colour</source>
@@ -4979,7 +5069,7 @@ Cosinus de l&apos;angle avec la plus proche des six</translation>
     </message>
     <message>
         <source>Mean, %1</source>
-        <translation>Moyenne, %1</translation>
+        <translation>Moyenne,&#xa0;%1</translation>
     </message>
     <message>
         <source>Structure</source>
@@ -5007,15 +5097,15 @@ Cosinus de l&apos;angle avec la plus proche des six</translation>
     </message>
     <message>
         <source>Sides of its box along the patient: left to right, front to back, foot to head</source>
-        <translation>Côtés de sa boîte le long du patient : gauche à droite, avant en arrière, pieds à tête</translation>
+        <translation>Côtés de sa boîte le long du patient&#xa0;: gauche à droite, avant en arrière, pieds à tête</translation>
     </message>
     <message>
         <source>Share of its surface that the camera sees; measured for labels in focus when cameras are placed</source>
-        <translation>Part de sa surface que voit la caméra ; mesurée pour les étiquettes ciblées quand les caméras sont placées</translation>
+        <translation>Part de sa surface que voit la caméra&#xa0;; mesurée pour les étiquettes ciblées quand les caméras sont placées</translation>
     </message>
     <message>
         <source>Label %1</source>
-        <translation>Étiquette %1</translation>
+        <translation>Étiquette&#xa0;%1</translation>
     </message>
     <message>
         <source>This study has no labels. Open some from the File menu, or keep a grown region as a label.</source>
@@ -5039,7 +5129,7 @@ Cosinus de l&apos;angle avec la plus proche des six</translation>
     </message>
     <message>
         <source>Written to %1.</source>
-        <translation>Écrit dans %1.</translation>
+        <translation>Écrit dans&#xa0;%1.</translation>
     </message>
 </context>
 <context>
@@ -5102,6 +5192,10 @@ Cosinus de l&apos;angle avec la plus proche des six</translation>
     <message>
         <source>%1 lies over other labels and took %2 from them; undo brings them back.</source>
         <translation>%1 recouvre d&apos;autres étiquettes et leur a pris %2&#xa0;; Annuler les ramène.</translation>
+    </message>
+    <message>
+        <source>There are %1 key images; delete some to keep another.</source>
+        <translation>Il y a %1 images clés ; supprimez-en pour en garder une autre.</translation>
     </message>
 </context>
 <context>
@@ -6444,7 +6538,7 @@ Sinon&#xa0;: d&apos;abord la meilleure vue, puis la meilleure à côté</transla
     </message>
     <message>
         <source>This study is no DICOM series: its format is %1, which has no DICOM tags.</source>
-        <translation>Cet examen n&apos;est pas une série DICOM : son format est %1, qui n&apos;a pas d&apos;attributs DICOM.</translation>
+        <translation>Cet examen n&apos;est pas une série DICOM&#xa0;: son format est&#xa0;%1, qui n&apos;a pas d&apos;attributs DICOM.</translation>
     </message>
     <message>
         <source>This series was read from an archive. Unpack it and open the folder to see its tags.</source>
@@ -6464,7 +6558,7 @@ Sinon&#xa0;: d&apos;abord la meilleure vue, puis la meilleure à côté</transla
     </message>
     <message>
         <source>Slice %1 of %2</source>
-        <translation>Coupe %1 sur %2</translation>
+        <translation>Coupe&#xa0;%1 sur&#xa0;%2</translation>
     </message>
     <message>
         <source>%1, at the crosshair</source>
@@ -6487,7 +6581,7 @@ Sinon&#xa0;: d&apos;abord la meilleure vue, puis la meilleure à côté</transla
     </message>
     <message>
         <source>Item %1</source>
-        <translation>Élément %1</translation>
+        <translation>Élément&#xa0;%1</translation>
     </message>
 </context>
 <context>

@@ -438,6 +438,26 @@
         <source>copy the selected rows, or a value</source>
         <translation>复制所选行或一个值</translation>
     </message>
+    <message>
+        <source>Key images</source>
+        <translation>关键图像</translation>
+    </message>
+    <message>
+        <source>Click, Return</source>
+        <translation>单击、回车</translation>
+    </message>
+    <message>
+        <source>go back to it</source>
+        <translation>返回该图像</translation>
+    </message>
+    <message>
+        <source>F2</source>
+        <translation>F2</translation>
+    </message>
+    <message>
+        <source>rename it</source>
+        <translation>重命名</translation>
+    </message>
 </context>
 <context>
     <name>Fidelity</name>
@@ -885,6 +905,14 @@
     <message>
         <source>Ctrl+Shift+T</source>
         <translation>Ctrl+Shift+T</translation>
+    </message>
+    <message>
+        <source>Key images</source>
+        <translation>关键图像</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+D</source>
+        <translation>Ctrl+Shift+D</translation>
     </message>
 </context>
 <context>
@@ -3729,6 +3757,14 @@ Cosine of the angle to the nearest of the six</source>
         <source>Shift+V</source>
         <translation>Shift+V</translation>
     </message>
+    <message>
+        <source>Keep a key image</source>
+        <translation>保留关键图像</translation>
+    </message>
+    <message>
+        <source>Ctrl+D</source>
+        <translation>Ctrl+D</translation>
+    </message>
 </context>
 <context>
     <name>fenestra::viewer::AppearancePanel</name>
@@ -4677,6 +4713,60 @@ Cosine of the angle to the nearest of the six</source>
     </message>
 </context>
 <context>
+    <name>fenestra::viewer::KeyImages</name>
+    <message>
+        <source>Key image %1</source>
+        <translation>关键图像 %1</translation>
+    </message>
+    <message>
+        <source>Keep a key image</source>
+        <translation>保留关键图像</translation>
+    </message>
+    <message>
+        <source>Return to a key image</source>
+        <translation>返回关键图像</translation>
+    </message>
+    <message>
+        <source>Rename a key image</source>
+        <translation>重命名关键图像</translation>
+    </message>
+    <message>
+        <source>Delete a key image</source>
+        <translation>删除关键图像</translation>
+    </message>
+    <message>
+        <source>Move a key image</source>
+        <translation>移动关键图像</translation>
+    </message>
+</context>
+<context>
+    <name>fenestra::viewer::KeyImagesPanel</name>
+    <message>
+        <source>&amp;Keep</source>
+        <translation>保留(&amp;K)</translation>
+    </message>
+    <message>
+        <source>&amp;Delete</source>
+        <translation>删除(&amp;D)</translation>
+    </message>
+    <message>
+        <source>Key images</source>
+        <translation>关键图像</translation>
+    </message>
+    <message>
+        <source>Keeps the cameras, slices, crosshair, focus and look as they are now</source>
+        <translation>保留当前的相机、层面、十字线、焦点和外观</translation>
+    </message>
+    <message>
+        <source>Moves the key image up</source>
+        <translation>将关键图像上移</translation>
+    </message>
+    <message>
+        <source>Moves the key image down</source>
+        <translation>将关键图像下移</translation>
+    </message>
+</context>
+<context>
     <name>fenestra::viewer::KeysDialog</name>
     <message>
         <source>Change keys</source>
@@ -5100,6 +5190,10 @@ Cosine of the angle to the nearest of the six</source>
     <message>
         <source>%1 lies over other labels and took %2 from them; undo brings them back.</source>
         <translation>%1 覆盖其他标签并占去其 %2；撤销可恢复。</translation>
+    </message>
+    <message>
+        <source>There are %1 key images; delete some to keep another.</source>
+        <translation>已有 %1 幅关键图像；请删除一些再保留新的。</translation>
     </message>
 </context>
 <context>

@@ -89,6 +89,7 @@ class Conventions : public Window {
   void addGesturesOfAllViews(Cases& cases);
   void addArchiveGestures(Cases& cases);
   void addListGestures(Cases& cases);
+  void addKeyImageGestures(Cases& cases);
 };
 
 }  // namespace fenestra::viewer

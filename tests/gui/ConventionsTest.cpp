@@ -425,6 +425,7 @@ TEST_F(Conventions, EveryGestureDoesWhatItSays) {
   addGesturesOfAllViews(cases);
   addArchiveGestures(cases);
   addListGestures(cases);
+  addKeyImageGestures(cases);
   run(cases, wanted);
 }
 
