@@ -110,7 +110,9 @@ void KeyImagesPanel::fill() {
                  size),
           picture);
     }
-    item->setIcon(icon);
+    QIcon picked(icon);
+    picked.addPixmap(icon, QIcon::Selected);  // or the chosen picture would be tinted
+    item->setIcon(picked);
   }
   // One that was added is at the end; otherwise the same place stays chosen.
   const int row = list_->count() > before ? list_->count() - 1 : std::min(chosen, list_->count() - 1);

@@ -1,5 +1,6 @@
 #include "viewer/panels/TagsPanel.h"
 
+#include <algorithm>
 #include <set>
 #include <utility>
 
@@ -24,6 +25,7 @@ namespace fenestra::viewer {
 namespace {
 
 constexpr int tagPathRole = Qt::UserRole;
+constexpr int widestName = 130;         // device-independent pixels; longer ones are cut, so that values are in sight
 constexpr int tagDelay = 80;            // ms: scrolling through slices reads none that is passed over
 constexpr qsizetype longestTip = 2000;  // characters
 constexpr int tagScannedAxis = 2;       // of the volume: its slices are counted along it
@@ -199,8 +201,10 @@ void TagsPanel::fill() {
     if (!words.empty() || open.contains(path)) (*it)->setExpanded(true);
     if (path == current) list_->setCurrentItem(*it);
   }
-  if (wasEmpty)
+  if (wasEmpty) {
     for (int each = 0; each < 3; ++each) list_->resizeColumnToContents(each);
+    list_->setColumnWidth(2, std::min(list_->columnWidth(2), widestName));
+  }
   list_->verticalScrollBar()->setValue(scrolled);
   say();
 }
