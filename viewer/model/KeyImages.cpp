@@ -110,7 +110,14 @@ void KeyImages::showCameras(const io::KeyImage& image) {
 }
 
 void KeyImages::keepCameras() {
-  if (!awaited_ || parts_.document.awaitsGrowth() || parts_.document.asksToOpen()) return;
+  if (!awaited_) return;
+  const auto& images = parts_.document.keyImages();
+  const bool isStillShown = std::any_of(images.begin(), images.end(), [this](const io::KeyImage& image) {
+    return image.look.focus == parts_.document.focus() && image.views[0].camera == awaited_->cameras[0] &&
+           image.views[1].camera == awaited_->cameras[1];
+  });
+  if (!isStillShown) return awaited_.reset();  // the user has chosen another focus meanwhile
+  if (parts_.document.awaitsGrowth() || parts_.document.asksToOpen()) return;
   parts_.placement.cancel();
   parts_.cameras.setPose(*std::exchange(awaited_, std::nullopt));
 }
