@@ -175,6 +175,7 @@ TEST_F(Window, TheTagsFollowTheActiveSlice) {
   auto& tags = panel<TagsPanel>();
   QTest::keyClick(window_.get(), Qt::Key_T, Qt::ControlModifier);
   ASSERT_TRUE(QTest::qWaitFor([&] { return tags.list()->topLevelItemCount() > 0; }, patience));
+  QApplication::setActiveWindow(window_.get());  // or no view gets the keyboard's focus
   slice(SlicePlane::Coronal)->setFocus();
   EXPECT_TRUE(QTest::qWaitFor([&] { return tags.text().contains(QStringLiteral("at the crosshair")); }, patience));
   slice(SlicePlane::Axial)->setFocus();
