@@ -94,7 +94,7 @@ MainWindow::MainWindow(const Setup& setup, QWidget* parent)
   connect(welcome_, &WelcomePage::guideRequested, guide_, [this] { guide_->open(); });
   actions_ = new Actions({*this, workspace_, loader_, grower_, *files_, *exports_, *pictures_, *verification_,
                           *sessions_, *views_, gl_, [this] { closeStudy(); }, [this] { resetLayout(); },
-                          *panels_.cutaway, *archive_, *guide_, *tour_});
+                          [this] { keepKeyImage(); }, *panels_.cutaway, *archive_, *guide_, *tour_});
   setStatusBar(new StatusBar(workspace_.document, workspace_.options, *views_, gl_));
   // Below the pictures: a bar above them would resize them, and each click would draw them again.
   // What comes and goes in the status bar must not make the window wider.
@@ -317,6 +317,17 @@ QImage MainWindow::picture(Patient patient) {
     if (view->isVisible()) painter.drawImage(view->mapTo(this, QPoint(0, 0)), view->grabSurface());
   painter.end();
   return pixmap.toImage();
+}
+
+void MainWindow::keepKeyImage() {
+  // Without the patient: sessions keep the picture.
+  const QImage whole = picture(Patient::Hidden);
+  const double scale = whole.devicePixelRatio();
+  const QRect area(views_->mapTo(this, QPoint(0, 0)) * scale, views_->size() * scale);
+  if (!workspace_.keyImages.add(whole.copy(area)))
+    notices_->addError(
+        NoticeBar::Subject::Study,
+        tr("There are %1 key images; delete some to keep another.").arg(workspace_.document.keyImages().size()));
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {

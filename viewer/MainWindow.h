@@ -107,6 +107,8 @@ class MainWindow : public QMainWindow {
   void applyPreference(Preference which);
   /// Lays panels and views out as on the program's first run.
   void resetLayout();
+  /// Adds the present state of the window to the key images.
+  void keepKeyImage();
   /// Moves crosshair and cameras to a new volume, before any view draws it.
   void followVolume();
   void studyOpened();

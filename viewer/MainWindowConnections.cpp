@@ -4,6 +4,7 @@
 #include <cmath>
 #include <memory>
 
+#include <QApplication>
 #include <QDockWidget>
 #include <QTreeWidget>
 
@@ -19,10 +20,12 @@
 #include "viewer/panels/AppearancePanel.h"
 #include "viewer/panels/BrushPanel.h"
 #include "viewer/panels/FocusPanel.h"
+#include "viewer/panels/KeyImagesPanel.h"
 #include "viewer/panels/LabelEditPanel.h"
 #include "viewer/panels/RegionPanel.h"
 #include "viewer/panels/SeriesPanel.h"
 #include "viewer/panels/StrokeList.h"
+#include "viewer/panels/TagsPanel.h"
 #include "viewer/views/PlacementRenderer.h"
 #include "viewer/views/PreviewRenderer.h"
 #include "viewer/views/ViewArea.h"
@@ -101,6 +104,12 @@ void MainWindow::connectPanels() {
     panels_.seriesDock->raise();
     panels_.series->list()->setFocus();
   });
+  // After the views have noted which of them is active, because they connected before.
+  connect(qApp, &QApplication::focusChanged, panels_.tags, [this] {
+    const auto* slice = qobject_cast<const SliceView*>(views_->activeView());
+    panels_.tags->setPlane(slice ? std::optional(slice->plane()) : std::nullopt);
+  });
+  connect(panels_.keyImages, &KeyImagesPanel::keepRequested, this, &MainWindow::keepKeyImage);
   connect(panels_.focus, &FocusPanel::structureChosen, this, &MainWindow::goToFocus);
   connect(panels_.focus->region(), &RegionPanel::kept, &labelEditor_, &LabelEditor::keepRegion);
   connect(panels_.focus->labelEdits(), &LabelEditPanel::edited, &labelEditor_, &LabelEditor::edit);

@@ -1,8 +1,10 @@
 #include "viewer/Panels.h"
 
+#include <QAction>
 #include <QCoreApplication>
 #include <QDockWidget>
 #include <QMainWindow>
+#include <QTimer>
 
 #include "viewer/DockFolding.h"
 #include "viewer/DockHeights.h"
@@ -14,8 +16,11 @@
 #include "viewer/panels/ContextLayerPanel.h"
 #include "viewer/panels/CutawayPanel.h"
 #include "viewer/panels/FocusPanel.h"
+#include "viewer/panels/KeyImagesPanel.h"
+#include "viewer/panels/LabelTable.h"
 #include "viewer/panels/ScrollingPanel.h"
 #include "viewer/panels/SeriesPanel.h"
+#include "viewer/panels/TagsPanel.h"
 
 namespace fenestra::viewer {
 namespace {
@@ -23,6 +28,23 @@ namespace {
 struct PanelsWords {
   Q_DECLARE_TR_FUNCTIONS(Panels)
 };
+
+/// Puts a list behind the list of series, out of sight until its key or entry brings it to the front.
+void addList(QMainWindow& window, QDockWidget& series, QDockWidget& dock, const QString& key) {
+  window.tabifyDockWidget(&series, &dock);
+  dock.hide();
+  QAction* shows = dock.toggleViewAction();
+  shows->setShortcut(QKeySequence(key));
+  QObject::connect(shows, &QAction::triggered, &dock, [&window, &dock](bool on) {
+    if (!on) return;
+    dock.raise();
+    // Wide enough for its columns, unless it is wider. From the event loop: the dock is being shown.
+    constexpr int wanted = 370;
+    QTimer::singleShot(0, &dock, [&window, &dock] {
+      if (dock.width() < wanted) window.resizeDocks({&dock}, {wanted}, Qt::Horizontal);
+    });
+  });
+}
 
 }  // namespace
 
@@ -36,6 +58,9 @@ Panels makePanels(QMainWindow& window, Workspace& workspace) {
                 .brush = new BrushPanel(document, workspace.brush),
                 .clipping = new ClippingPanel(document, workspace.cursor, workspace.planes, workspace.cameras),
                 .series = new SeriesPanel(document, workspace.options),
+                .tags = new TagsPanel(document, workspace.cursor, workspace.planes, workspace.options),
+                .labelTable = new LabelTable(document, workspace.placement, workspace.cursor),
+                .keyImages = new KeyImagesPanel(document, workspace.keyImages),
                 .heights = nullptr,
                 .seriesDock = nullptr,
                 .folding = nullptr};
@@ -74,6 +99,15 @@ Panels makePanels(QMainWindow& window, Workspace& workspace) {
   window.resizeDocks({focus}, {310}, Qt::Horizontal);
   panels.seriesDock = add(PanelsWords::tr("Series"), "seriesDock", panels.series, Qt::LeftDockWidgetArea);
   panels.seriesDock->hide();
+  addList(window, *panels.seriesDock,
+          *add(PanelsWords::tr("DICOM tags"), "tagsDock", panels.tags, Qt::LeftDockWidgetArea),
+          PanelsWords::tr("Ctrl+T"));
+  addList(window, *panels.seriesDock,
+          *add(PanelsWords::tr("Label table"), "labelTableDock", panels.labelTable, Qt::LeftDockWidgetArea),
+          PanelsWords::tr("Ctrl+Shift+T"));
+  addList(window, *panels.seriesDock,
+          *add(PanelsWords::tr("Key images"), "keyImagesDock", panels.keyImages, Qt::LeftDockWidgetArea),
+          PanelsWords::tr("Ctrl+Shift+D"));
   // The list of structures takes the remaining height.
   panels.heights = new DockHeights(window, {focus, context, cutaway});
   const QList<QDockWidget*> docks = window.findChildren<QDockWidget*>();

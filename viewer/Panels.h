@@ -15,7 +15,10 @@ class CutawayPanel;
 class DockFolding;
 class DockHeights;
 class FocusPanel;
+class KeyImagesPanel;
+class LabelTable;
 class SeriesPanel;
+class TagsPanel;
 struct Workspace;
 
 /// The window owns them.
@@ -28,13 +31,16 @@ struct Panels {
   BrushPanel* brush;
   ClippingPanel* clipping;
   SeriesPanel* series;
+  TagsPanel* tags;
+  LabelTable* labelTable;
+  KeyImagesPanel* keyImages;
   DockHeights* heights;
   QDockWidget* seriesDock;
   DockFolding* folding;
 };
 
-/// Makes the panels and docks them in the window: the list of series on the left, where it is hidden until it is asked
-/// for, all others on the right.
+/// Makes the panels and docks them in the window: the lists of series, DICOM tags, labels and key images on the left,
+/// where each is hidden until it is asked for, all others on the right.
 Panels makePanels(QMainWindow& window, Workspace& workspace);
 
 }  // namespace fenestra::viewer

@@ -103,6 +103,31 @@ struct SessionOverlays {
   bool operator==(const SessionOverlays&) const = default;
 };
 
+/// A 3-D view of a key image.
+struct KeyView {
+  Camera camera;
+  std::optional<OpeningView> frozen = std::nullopt;  ///< see View::frozen
+  bool operator==(const KeyView&) const = default;
+};
+
+/// A state of the window to return to: all that its pictures are made of, but for the data, the labels and the
+/// measures, which stay as they are.
+struct KeyImage {
+  static constexpr std::size_t longestName = 200;         ///< bytes of UTF-8
+  static constexpr std::size_t largestPicture = 1 << 18;  ///< bytes of Base64
+  static constexpr std::size_t most = 500;                ///< in a session
+
+  std::string name;
+  std::string picture;  ///< a small one to find it by: PNG in Base64; empty: none
+  Look look;
+  std::array<KeyView, 2> views;  ///< C1 and C2
+  WindowLevel window;            ///< of the slices
+  bool inverted = false;
+  glm::dvec3 crosshair{0.0};           ///< world (LPS), mm
+  std::array<SessionPlane, 3> planes;  ///< axial, sagittal, coronal
+  bool operator==(const KeyImage&) const = default;
+};
+
 struct Session {
   SessionVolume volume;
   std::optional<SessionPhantom> phantom;
@@ -119,6 +144,7 @@ struct Session {
   SessionOverlays overlays;
   std::array<SessionPlane, 3> planes;  ///< axial, sagittal, coronal
   std::vector<Measure> measures;       ///< on the slices
+  std::vector<KeyImage> keyImages;     ///< in the user's order
   std::string maximised;               ///< the view that has the whole area: "C1", "C2", "axial", …; empty: none
   std::string layout;                  ///< the window's own, in Base64
   SessionPlacement placement;

@@ -76,29 +76,29 @@ void forEachPath(Session& session, F&& change) {
   for (fs::path* path : {&session.volume.path, &session.labels.path, &session.labels.table, &session.look.context.file,
                          &session.autosaveOf})
     if (!path->empty()) change(*path);
+  for (KeyImage& image : session.keyImages)
+    if (fs::path& path = image.look.context.file; !path.empty()) change(path);
 }
 
 void refuseUnless(bool right, const json::Reader& top, const char* problem) {
   if (!right) top.fail(problem);
 }
 
-/// Refuses what spans several members.
-void check(const Session& session, const json::Reader& top) {
-  const bool hasVolume = !session.volume.path.empty();
-  refuseUnless(hasVolume != session.phantom.has_value(), top, "must name either a volume or a phantom");
-  const LabelSettings& settings = session.look.labels;
+/// Refuses what spans several members of a look. `hasLabels`: the session names some.
+void checkLook(const Look& look, bool hasLabels, const json::Reader& top) {
+  const LabelSettings& settings = look.labels;
   const auto follow = [](const LabelSetting& a, const LabelSetting& b) { return a.label >= b.label; };
   refuseUnless(std::adjacent_find(settings.begin(), settings.end(), follow) == settings.end(), top,
                "has settings of labels that do not ascend");
-  if (const auto* labels = std::get_if<LabelFocus>(&session.look.focus)) {
-    refuseUnless(!session.labels.path.empty() || session.phantom, top, "has a focus of labels, but no labels");
+  if (const auto* labels = std::get_if<LabelFocus>(&look.focus)) {
+    refuseUnless(hasLabels, top, "has a focus of labels, but no labels");
     refuseUnless(
         !labels->labels.empty() && std::is_sorted(labels->labels.begin(), labels->labels.end(), std::less_equal<>()),
         top, "has labels in the focus that do not ascend");
   }
-  if (const auto* values = std::get_if<ValueFocus>(&session.look.focus))
+  if (const auto* values = std::get_if<ValueFocus>(&look.focus))
     refuseUnless(values->values.low <= values->values.high, top, "has a focus of values whose low exceeds its high");
-  if (const auto* region = std::get_if<RegionFocus>(&session.look.focus)) {
+  if (const auto* region = std::get_if<RegionFocus>(&look.focus)) {
     refuseUnless(!region->empty(), top, "has a region in the focus without a seed inside or a stroke");
     refuseUnless(std::all_of(region->painted.begin(), region->painted.end(),
                              [](const SelectionStroke& stroke) { return !stroke.anchors.empty(); }),
@@ -106,11 +106,30 @@ void check(const Session& session, const json::Reader& top) {
     refuseUnless(region->inside.size() + region->outside.size() <= mostSeeds, top,
                  "has a region in the focus with more seeds than anybody clicks");
   }
-  refuseUnless(std::all_of(session.measures.begin(), session.measures.end(), isWellFormed), top,
-               "has a measure without the points or the plane that its kind needs");
-  refuseUnless(std::all_of(session.planes.begin(), session.planes.end(),
+}
+
+void checkPlanes(const std::array<SessionPlane, 3>& planes, const json::Reader& top) {
+  refuseUnless(std::all_of(planes.begin(), planes.end(),
                            [](const SessionPlane& plane) { return !plane.axes || isPerpendicular(*plane.axes); }),
                top, "has a slice whose axes are no perpendicular unit vectors");
+}
+
+/// Refuses what spans several members.
+void check(const Session& session, const json::Reader& top) {
+  const bool hasVolume = !session.volume.path.empty();
+  refuseUnless(hasVolume != session.phantom.has_value(), top, "must name either a volume or a phantom");
+  checkLook(session.look, !session.labels.path.empty() || session.phantom, top);
+  refuseUnless(std::all_of(session.measures.begin(), session.measures.end(), isWellFormed), top,
+               "has a measure without the points or the plane that its kind needs");
+  checkPlanes(session.planes, top);
+  refuseUnless(session.keyImages.size() <= KeyImage::most, top, "has more key images than anybody keeps");
+  for (const KeyImage& image : session.keyImages) {
+    refuseUnless(image.name.size() <= KeyImage::longestName, top, "has a key image with too long a name");
+    refuseUnless(image.picture.size() <= KeyImage::largestPicture, top, "has a key image with too large a picture");
+    // Labels may be gone since it was made: then the window leaves them out.
+    checkLook(image.look, true, top);
+    checkPlanes(image.planes, top);
+  }
 }
 
 }  // namespace

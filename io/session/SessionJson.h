@@ -191,6 +191,22 @@ void members(auto& io, Is<SessionOverlays> auto& overlays) {
   io("planes", overlays.planes, {}, {"The slices' outlines in the 3-D views"});
 }
 
+void members(auto& io, Is<KeyView> auto& view) {
+  io.required("camera", view.camera);
+  io.optional("frozen", view.frozen, view.frozen.has_value(), {}, {"As in the session's views"});
+}
+
+void members(auto& io, Is<KeyImage> auto& image) {
+  io.required("name", image.name);
+  io.optional("picture", image.picture, !image.picture.empty(), {}, {"A small picture: PNG in Base64"});
+  io.required("views", image.views, {}, {"C1 and C2"});
+  io.required("window", image.window, {}, {"Display window of the slices"});
+  io("inverted", image.inverted, {}, {"Whether the slices show low values bright"});
+  io.required("crosshair", image.crosshair, millimetres);
+  io("planes", image.planes, {}, {"How the axial, sagittal and coronal slices lie"});
+  io.required("look", image.look, {}, {"What a session says of the focus, labels, transfer function and opening"});
+}
+
 void members(auto& io, Is<Session> auto& session) {
   io.optional("volume", session.volume, !session.volume.path.empty());
   io.optional("phantom", session.phantom, session.phantom.has_value(), {}, {"A built-in phantom in place of a volume"});
@@ -209,6 +225,8 @@ void members(auto& io, Is<Session> auto& session) {
   io("overlays", session.overlays, {}, {"What is drawn over the pictures"});
   io("planes", session.planes, {}, {"How the axial, sagittal and coronal slices lie"});
   io("measures", session.measures, {}, {"Distances, angles and regions drawn on the slices"});
+  io.optional("key_images", session.keyImages, !session.keyImages.empty(), {},
+              {"States of the window that one returns to, in the user's order"});
   io.optional("maximised", session.maximised, !session.maximised.empty(), {},
               {"The view that has the whole area: C1, C2, axial, sagittal or coronal"});
   io.optional("layout", session.layout, !session.layout.empty(), {},

@@ -117,6 +117,31 @@ LabelStatistics statisticsOf(const LabelSums& sums, std::uint16_t label, const G
   return result;
 }
 
+/// A label's voxel that is nearest to its centre so far.
+struct NearestVoxel {
+  double distance = unbounded;  ///< squared, mm²
+  glm::dvec3 place{0.0};        ///< world, mm
+
+  void offer(glm::dvec3 at, glm::dvec3 centre) {
+    const glm::dvec3 away = at - centre;
+    if (const double squared = glm::dot(away, away); squared < distance) *this = {squared, at};
+  }
+};
+
+/// Looks at the runs of one label in a row: the nearest of a run lies where the centre is projected onto the row.
+void offerRow(std::vector<NearestVoxel>& nearest, const std::vector<std::uint16_t>& labels,
+              const std::vector<glm::dvec3>& centres, const glm::dmat4& worldFromIndex, glm::ivec3 row) {
+  const glm::dvec3 start(worldFromIndex * glm::dvec4(row, 1.0)), along(worldFromIndex[0]);
+  for (std::size_t begin = 0, end = 0; begin < labels.size(); begin = end) {
+    while (end < labels.size() && labels[end] == labels[begin]) ++end;
+    const std::size_t label = labels[begin];
+    if (label == 0 || label >= centres.size()) continue;
+    const double x = glm::dot(centres[label] - start, along) / glm::dot(along, along);
+    const double held = std::clamp(std::round(x), static_cast<double>(begin), static_cast<double>(end - 1));
+    nearest[label].offer(start + held * along, centres[label]);
+  }
+}
+
 }  // namespace
 
 std::vector<LabelStatistics> labelStatistics(const LabelMap& labels, const Volume& volume) {
@@ -155,6 +180,43 @@ std::vector<LabelStatistics> labelStatistics(const LabelMap& labels, const Volum
   std::vector<LabelStatistics> result;
   for (const Label& label : labels.labels) result.push_back(statisticsOf(all[label.value], label.value, grid));
   return result;
+}
+
+std::vector<glm::dvec3> placesWithin(const LabelMap& labels, const std::vector<LabelStatistics>& statistics) {
+  std::size_t listed = 1;
+  for (const LabelStatistics& each : statistics) listed = std::max<std::size_t>(listed, std::size_t{each.label} + 1);
+  std::vector<glm::dvec3> centres(listed, glm::dvec3(0.0));
+  for (const LabelStatistics& each : statistics) centres[each.label] = each.centre;
+  const Grid& grid = labels.grid;
+  const glm::dmat4 worldFromIndex = grid.worldFromIndex();
+  const auto width = static_cast<std::size_t>(grid.dims.x), height = static_cast<std::size_t>(grid.dims.y);
+  const std::size_t rows = height * static_cast<std::size_t>(grid.dims.z);
+
+  std::map<std::size_t, std::vector<NearestVoxel>> pieces;  // by the first row, so that ties end alike
+  std::mutex mutex;
+  constexpr std::size_t worthAThread = 1 << 18;
+  parallelFor(rows, worthAThread / std::max<std::size_t>(width, 1) + 1, [&](std::size_t begin, std::size_t end) {
+    std::vector<NearestVoxel> nearest(listed);
+    std::vector<std::uint16_t> ofRow(width);
+    for (std::size_t row = begin; row < end; ++row) {
+      if (row % 64 == 0) interruptionPoint();
+      labels.voxels.visit([&](auto values) {
+        for (std::size_t x = 0; x < width; ++x) ofRow[x] = static_cast<std::uint16_t>(values[row * width + x]);
+      });
+      offerRow(nearest, ofRow, centres, worldFromIndex,
+               {0, static_cast<int>(row % height), static_cast<int>(row / height)});
+    }
+    const std::lock_guard lock(mutex);
+    pieces.emplace(begin, std::move(nearest));
+  });
+  std::vector<NearestVoxel> all(listed);
+  for (const auto& [begin, nearest] : pieces)
+    for (std::size_t value = 0; value < listed; ++value)
+      if (nearest[value].distance < all[value].distance) all[value] = nearest[value];
+
+  std::vector<glm::dvec3> places;
+  for (const LabelStatistics& each : statistics) places.push_back(all[each.label].place);
+  return places;
 }
 
 }  // namespace fenestra

@@ -27,4 +27,9 @@ struct LabelStatistics {
 /// far from zero lose no digits.
 std::vector<LabelStatistics> labelStatistics(const LabelMap& labels, const Volume& volume);
 
+/// For each of labelStatistics(), the centre of the label's voxel that lies nearest to `centre`, world (LPS) mm: the
+/// centre of a bent structure may lie outside of it. Of equally near ones the first in the map's order; meaningless
+/// without voxels. Reads the labels once, on all cores.
+std::vector<glm::dvec3> placesWithin(const LabelMap& labels, const std::vector<LabelStatistics>& statistics);
+
 }  // namespace fenestra

@@ -418,6 +418,46 @@
         <source>retrieve what is selected, and open it once it is whole</source>
         <translation>das Ausgewählte abrufen und öffnen, sobald es vollständig ist</translation>
     </message>
+    <message>
+        <source>DICOM tags and label table</source>
+        <translation>DICOM-Attribute und Labeltabelle</translation>
+    </message>
+    <message>
+        <source>Click on a label</source>
+        <translation>Klick auf ein Label</translation>
+    </message>
+    <message>
+        <source>crosshair into it</source>
+        <translation>Fadenkreuz hinein</translation>
+    </message>
+    <message>
+        <source>Ctrl+C, right click</source>
+        <translation>Strg+C, Rechtsklick</translation>
+    </message>
+    <message>
+        <source>copy the selected rows, or a value</source>
+        <translation>die gewählten Zeilen oder einen Wert kopieren</translation>
+    </message>
+    <message>
+        <source>Key images</source>
+        <translation>Schlüsselbilder</translation>
+    </message>
+    <message>
+        <source>Click, Return</source>
+        <translation>Klick, Eingabe</translation>
+    </message>
+    <message>
+        <source>go back to it</source>
+        <translation>dorthin zurück</translation>
+    </message>
+    <message>
+        <source>F2</source>
+        <translation>F2</translation>
+    </message>
+    <message>
+        <source>rename it</source>
+        <translation>umbenennen</translation>
+    </message>
 </context>
 <context>
     <name>Fidelity</name>
@@ -849,6 +889,30 @@
     <message>
         <source>Series</source>
         <translation>Serien</translation>
+    </message>
+    <message>
+        <source>DICOM tags</source>
+        <translation>DICOM-Attribute</translation>
+    </message>
+    <message>
+        <source>Ctrl+T</source>
+        <translation>Ctrl+T</translation>
+    </message>
+    <message>
+        <source>Label table</source>
+        <translation>Labeltabelle</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+T</source>
+        <translation>Ctrl+Shift+T</translation>
+    </message>
+    <message>
+        <source>Key images</source>
+        <translation>Schlüsselbilder</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+D</source>
+        <translation>Ctrl+Shift+D</translation>
     </message>
 </context>
 <context>
@@ -3694,6 +3758,14 @@ Kosinus des Winkels zur nächsten der sechs</translation>
         <source>Shift+V</source>
         <translation>Shift+V</translation>
     </message>
+    <message>
+        <source>Keep a key image</source>
+        <translation>Schlüsselbild behalten</translation>
+    </message>
+    <message>
+        <source>Ctrl+D</source>
+        <translation>Ctrl+D</translation>
+    </message>
 </context>
 <context>
     <name>fenestra::viewer::AppearancePanel</name>
@@ -4315,6 +4387,17 @@ Kosinus des Winkels zur nächsten der sechs</translation>
     </message>
 </context>
 <context>
+    <name>fenestra::viewer::CopyRows</name>
+    <message>
+        <source>Copy the &amp;value</source>
+        <translation>&amp;Wert kopieren</translation>
+    </message>
+    <message>
+        <source>&amp;Copy the rows</source>
+        <translation>&amp;Zeilen kopieren</translation>
+    </message>
+</context>
+<context>
     <name>fenestra::viewer::CutawayPanel</name>
     <message>
         <source>own</source>
@@ -4631,6 +4714,60 @@ Kosinus des Winkels zur nächsten der sechs</translation>
     </message>
 </context>
 <context>
+    <name>fenestra::viewer::KeyImages</name>
+    <message>
+        <source>Key image %1</source>
+        <translation>Schlüsselbild %1</translation>
+    </message>
+    <message>
+        <source>Keep a key image</source>
+        <translation>Schlüsselbild behalten</translation>
+    </message>
+    <message>
+        <source>Return to a key image</source>
+        <translation>Zu einem Schlüsselbild zurück</translation>
+    </message>
+    <message>
+        <source>Rename a key image</source>
+        <translation>Schlüsselbild umbenennen</translation>
+    </message>
+    <message>
+        <source>Delete a key image</source>
+        <translation>Schlüsselbild löschen</translation>
+    </message>
+    <message>
+        <source>Move a key image</source>
+        <translation>Schlüsselbild verschieben</translation>
+    </message>
+</context>
+<context>
+    <name>fenestra::viewer::KeyImagesPanel</name>
+    <message>
+        <source>&amp;Keep</source>
+        <translation>&amp;Behalten</translation>
+    </message>
+    <message>
+        <source>&amp;Delete</source>
+        <translation>&amp;Löschen</translation>
+    </message>
+    <message>
+        <source>Key images</source>
+        <translation>Schlüsselbilder</translation>
+    </message>
+    <message>
+        <source>Keeps the cameras, slices, crosshair, focus and look as they are now</source>
+        <translation>Behält Kameras, Schichten, Fadenkreuz, Fokus und Aussehen, wie sie jetzt sind</translation>
+    </message>
+    <message>
+        <source>Moves the key image up</source>
+        <translation>Schiebt das Schlüsselbild nach oben</translation>
+    </message>
+    <message>
+        <source>Moves the key image down</source>
+        <translation>Schiebt das Schlüsselbild nach unten</translation>
+    </message>
+</context>
+<context>
     <name>fenestra::viewer::KeysDialog</name>
     <message>
         <source>Change keys</source>
@@ -4913,6 +5050,89 @@ Kosinus des Winkels zur nächsten der sechs</translation>
     </message>
 </context>
 <context>
+    <name>fenestra::viewer::LabelTable</name>
+    <message>
+        <source>&amp;Copy all (CSV)</source>
+        <translation>Alles &amp;kopieren (CSV)</translation>
+    </message>
+    <message>
+        <source>&amp;Save…</source>
+        <translation>&amp;Speichern…</translation>
+    </message>
+    <message>
+        <source>Label table</source>
+        <translation>Labeltabelle</translation>
+    </message>
+    <message>
+        <source>Mean</source>
+        <translation>Mittel</translation>
+    </message>
+    <message>
+        <source>Mean, %1</source>
+        <translation>Mittel, %1</translation>
+    </message>
+    <message>
+        <source>Structure</source>
+        <translation>Struktur</translation>
+    </message>
+    <message>
+        <source>Volume</source>
+        <translation>Volumen</translation>
+    </message>
+    <message>
+        <source>SD</source>
+        <translation>SD</translation>
+    </message>
+    <message>
+        <source>Extent, mm</source>
+        <translation>Ausdehnung, mm</translation>
+    </message>
+    <message>
+        <source>Seen, C1</source>
+        <translation>Sichtbar, C1</translation>
+    </message>
+    <message>
+        <source>Seen, C2</source>
+        <translation>Sichtbar, C2</translation>
+    </message>
+    <message>
+        <source>Sides of its box along the patient: left to right, front to back, foot to head</source>
+        <translation>Seiten des Quaders um das Label entlang des Patienten: links-rechts, vorn-hinten, Fuß-Kopf</translation>
+    </message>
+    <message>
+        <source>Share of its surface that the camera sees; measured for labels in focus when cameras are placed</source>
+        <translation>Anteil der Oberfläche, den die Kamera sieht; gemessen für Labels im Fokus, wenn Kameras platziert werden</translation>
+    </message>
+    <message>
+        <source>Label %1</source>
+        <translation>Label %1</translation>
+    </message>
+    <message>
+        <source>This study has no labels. Open some from the File menu, or keep a grown region as a label.</source>
+        <translation>Diese Studie hat keine Labels. Öffnen Sie welche im Menü Datei, oder behalten Sie eine gewachsene Region als Label.</translation>
+    </message>
+    <message>
+        <source>Measuring the labels…</source>
+        <translation>Labels werden gemessen…</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>Save the label table</source>
+        <translation>Labeltabelle speichern</translation>
+    </message>
+    <message>
+        <source>Table (CSV)</source>
+        <translation>Tabelle (CSV)</translation>
+    </message>
+    <message>
+        <source>Written to %1.</source>
+        <translation>Nach %1 geschrieben.</translation>
+    </message>
+</context>
+<context>
     <name>fenestra::viewer::LoadingBar</name>
     <message>
         <source>Cancel</source>
@@ -4972,6 +5192,10 @@ Kosinus des Winkels zur nächsten der sechs</translation>
     <message>
         <source>%1 lies over other labels and took %2 from them; undo brings them back.</source>
         <translation>%1 liegt über anderen Labels und nahm ihnen %2; Rückgängig bringt sie zurück.</translation>
+    </message>
+    <message>
+        <source>There are %1 key images; delete some to keep another.</source>
+        <translation>Es gibt %1 Schlüsselbilder; löschen Sie einige, um ein weiteres zu behalten.</translation>
     </message>
 </context>
 <context>
@@ -6284,6 +6508,80 @@ Aus: erst die beste Ansicht, dann die beste daneben</translation>
             <numerusform>Daneben liegt %n Segmentierung dieser Serie.</numerusform>
             <numerusform>Daneben liegen %n Segmentierungen dieser Serie.</numerusform>
         </translation>
+    </message>
+</context>
+<context>
+    <name>fenestra::viewer::TagsPanel</name>
+    <message>
+        <source>Search tags, names and values</source>
+        <translation>Attribute, Namen und Werte suchen</translation>
+    </message>
+    <message>
+        <source>DICOM tags</source>
+        <translation>DICOM-Attribute</translation>
+    </message>
+    <message>
+        <source>Tag</source>
+        <translation>Tag</translation>
+    </message>
+    <message>
+        <source>VR</source>
+        <translation>VR</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Wert</translation>
+    </message>
+    <message>
+        <source>This study is no DICOM series: its format is %1, which has no DICOM tags.</source>
+        <translation>Diese Studie ist keine DICOM-Serie: Ihr Format ist %1, das keine DICOM-Attribute hat.</translation>
+    </message>
+    <message>
+        <source>This series was read from an archive. Unpack it and open the folder to see its tags.</source>
+        <translation>Diese Serie wurde aus einem Archiv gelesen. Entpacken Sie es und öffnen Sie den Ordner, um die Attribute zu sehen.</translation>
+    </message>
+    <message>
+        <source>The slices of this series do not lie evenly. What is shown is interpolated between them, and no file holds it.</source>
+        <translation>Die Schichten dieser Serie liegen nicht gleichmäßig. Was gezeigt wird, ist zwischen ihnen interpoliert, und keine Datei enthält es.</translation>
+    </message>
+    <message>
+        <source>This plane is turned and crosses several files. Reset it (View → Slices), or click another view.</source>
+        <translation>Diese Ebene ist gedreht und kreuzt mehrere Dateien. Setzen Sie sie zurück (Ansicht → Schichten), oder klicken Sie in eine andere Ansicht.</translation>
+    </message>
+    <message>
+        <source>The file of this slice cannot be read.</source>
+        <translation>Die Datei dieser Schicht kann nicht gelesen werden.</translation>
+    </message>
+    <message>
+        <source>Slice %1 of %2</source>
+        <translation>Schicht %1 von %2</translation>
+    </message>
+    <message>
+        <source>%1, at the crosshair</source>
+        <translation>%1, am Fadenkreuz</translation>
+    </message>
+    <message>
+        <source>1 item</source>
+        <translation>1 Element</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n items</source>
+        <translation>
+            <numerusform>%n Element</numerusform>
+            <numerusform>%n Elemente</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>hidden</source>
+        <translation>verborgen</translation>
+    </message>
+    <message>
+        <source>Item %1</source>
+        <translation>Element %1</translation>
     </message>
 </context>
 <context>

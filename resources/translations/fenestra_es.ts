@@ -418,6 +418,46 @@
         <source>retrieve what is selected, and open it once it is whole</source>
         <translation>recuperar lo seleccionado y abrirlo cuando esté completo</translation>
     </message>
+    <message>
+        <source>DICOM tags and label table</source>
+        <translation>Atributos DICOM y tabla de etiquetas</translation>
+    </message>
+    <message>
+        <source>Click on a label</source>
+        <translation>Clic en una etiqueta</translation>
+    </message>
+    <message>
+        <source>crosshair into it</source>
+        <translation>la cruz dentro de ella</translation>
+    </message>
+    <message>
+        <source>Ctrl+C, right click</source>
+        <translation>Ctrl+C, clic derecho</translation>
+    </message>
+    <message>
+        <source>copy the selected rows, or a value</source>
+        <translation>copiar las filas seleccionadas o un valor</translation>
+    </message>
+    <message>
+        <source>Key images</source>
+        <translation>Imágenes clave</translation>
+    </message>
+    <message>
+        <source>Click, Return</source>
+        <translation>Clic, Intro</translation>
+    </message>
+    <message>
+        <source>go back to it</source>
+        <translation>volver a ella</translation>
+    </message>
+    <message>
+        <source>F2</source>
+        <translation>F2</translation>
+    </message>
+    <message>
+        <source>rename it</source>
+        <translation>cambiar su nombre</translation>
+    </message>
 </context>
 <context>
     <name>Fidelity</name>
@@ -849,6 +889,30 @@
     <message>
         <source>Series</source>
         <translation>Series</translation>
+    </message>
+    <message>
+        <source>DICOM tags</source>
+        <translation>Atributos DICOM</translation>
+    </message>
+    <message>
+        <source>Ctrl+T</source>
+        <translation>Ctrl+T</translation>
+    </message>
+    <message>
+        <source>Label table</source>
+        <translation>Tabla de etiquetas</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+T</source>
+        <translation>Ctrl+Shift+T</translation>
+    </message>
+    <message>
+        <source>Key images</source>
+        <translation>Imágenes clave</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+D</source>
+        <translation>Ctrl+Shift+D</translation>
     </message>
 </context>
 <context>
@@ -3694,6 +3758,14 @@ Coseno del ángulo con la más próxima de las seis</translation>
         <source>Shift+V</source>
         <translation>Shift+V</translation>
     </message>
+    <message>
+        <source>Keep a key image</source>
+        <translation>Conservar una imagen clave</translation>
+    </message>
+    <message>
+        <source>Ctrl+D</source>
+        <translation>Ctrl+D</translation>
+    </message>
 </context>
 <context>
     <name>fenestra::viewer::AppearancePanel</name>
@@ -4315,6 +4387,17 @@ Coseno del ángulo con la más próxima de las seis</translation>
     </message>
 </context>
 <context>
+    <name>fenestra::viewer::CopyRows</name>
+    <message>
+        <source>Copy the &amp;value</source>
+        <translation>Copiar el &amp;valor</translation>
+    </message>
+    <message>
+        <source>&amp;Copy the rows</source>
+        <translation>&amp;Copiar las filas</translation>
+    </message>
+</context>
+<context>
     <name>fenestra::viewer::CutawayPanel</name>
     <message>
         <source>own</source>
@@ -4631,6 +4714,60 @@ Coseno del ángulo con la más próxima de las seis</translation>
     </message>
 </context>
 <context>
+    <name>fenestra::viewer::KeyImages</name>
+    <message>
+        <source>Key image %1</source>
+        <translation>Imagen clave %1</translation>
+    </message>
+    <message>
+        <source>Keep a key image</source>
+        <translation>Conservar una imagen clave</translation>
+    </message>
+    <message>
+        <source>Return to a key image</source>
+        <translation>Volver a una imagen clave</translation>
+    </message>
+    <message>
+        <source>Rename a key image</source>
+        <translation>Cambiar el nombre de una imagen clave</translation>
+    </message>
+    <message>
+        <source>Delete a key image</source>
+        <translation>Eliminar una imagen clave</translation>
+    </message>
+    <message>
+        <source>Move a key image</source>
+        <translation>Mover una imagen clave</translation>
+    </message>
+</context>
+<context>
+    <name>fenestra::viewer::KeyImagesPanel</name>
+    <message>
+        <source>&amp;Keep</source>
+        <translation>&amp;Conservar</translation>
+    </message>
+    <message>
+        <source>&amp;Delete</source>
+        <translation>&amp;Eliminar</translation>
+    </message>
+    <message>
+        <source>Key images</source>
+        <translation>Imágenes clave</translation>
+    </message>
+    <message>
+        <source>Keeps the cameras, slices, crosshair, focus and look as they are now</source>
+        <translation>Conserva las cámaras, los cortes, la cruz, el foco y el aspecto como están ahora</translation>
+    </message>
+    <message>
+        <source>Moves the key image up</source>
+        <translation>Sube la imagen clave</translation>
+    </message>
+    <message>
+        <source>Moves the key image down</source>
+        <translation>Baja la imagen clave</translation>
+    </message>
+</context>
+<context>
     <name>fenestra::viewer::KeysDialog</name>
     <message>
         <source>Change keys</source>
@@ -4913,6 +5050,89 @@ Coseno del ángulo con la más próxima de las seis</translation>
     </message>
 </context>
 <context>
+    <name>fenestra::viewer::LabelTable</name>
+    <message>
+        <source>&amp;Copy all (CSV)</source>
+        <translation>&amp;Copiar todo (CSV)</translation>
+    </message>
+    <message>
+        <source>&amp;Save…</source>
+        <translation>&amp;Guardar…</translation>
+    </message>
+    <message>
+        <source>Label table</source>
+        <translation>Tabla de etiquetas</translation>
+    </message>
+    <message>
+        <source>Mean</source>
+        <translation>Media</translation>
+    </message>
+    <message>
+        <source>Mean, %1</source>
+        <translation>Media, %1</translation>
+    </message>
+    <message>
+        <source>Structure</source>
+        <translation>Estructura</translation>
+    </message>
+    <message>
+        <source>Volume</source>
+        <translation>Volumen</translation>
+    </message>
+    <message>
+        <source>SD</source>
+        <translation>DE</translation>
+    </message>
+    <message>
+        <source>Extent, mm</source>
+        <translation>Extensión, mm</translation>
+    </message>
+    <message>
+        <source>Seen, C1</source>
+        <translation>Visible, C1</translation>
+    </message>
+    <message>
+        <source>Seen, C2</source>
+        <translation>Visible, C2</translation>
+    </message>
+    <message>
+        <source>Sides of its box along the patient: left to right, front to back, foot to head</source>
+        <translation>Lados de su caja a lo largo del paciente: izquierda a derecha, delante a atrás, pies a cabeza</translation>
+    </message>
+    <message>
+        <source>Share of its surface that the camera sees; measured for labels in focus when cameras are placed</source>
+        <translation>Parte de su superficie que ve la cámara; se mide para las etiquetas en foco cuando se colocan las cámaras</translation>
+    </message>
+    <message>
+        <source>Label %1</source>
+        <translation>Etiqueta %1</translation>
+    </message>
+    <message>
+        <source>This study has no labels. Open some from the File menu, or keep a grown region as a label.</source>
+        <translation>Este estudio no tiene etiquetas. Ábralas desde el menú Archivo o conserve una región crecida como etiqueta.</translation>
+    </message>
+    <message>
+        <source>Measuring the labels…</source>
+        <translation>Midiendo las etiquetas…</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>Save the label table</source>
+        <translation>Guardar la tabla de etiquetas</translation>
+    </message>
+    <message>
+        <source>Table (CSV)</source>
+        <translation>Tabla (CSV)</translation>
+    </message>
+    <message>
+        <source>Written to %1.</source>
+        <translation>Escrito en %1.</translation>
+    </message>
+</context>
+<context>
     <name>fenestra::viewer::LoadingBar</name>
     <message>
         <source>Cancel</source>
@@ -4972,6 +5192,10 @@ Coseno del ángulo con la más próxima de las seis</translation>
     <message>
         <source>%1 lies over other labels and took %2 from them; undo brings them back.</source>
         <translation>%1 está sobre otras etiquetas y les quitó %2; Deshacer los devuelve.</translation>
+    </message>
+    <message>
+        <source>There are %1 key images; delete some to keep another.</source>
+        <translation>Hay %1 imágenes clave; elimine algunas para conservar otra.</translation>
     </message>
 </context>
 <context>
@@ -6284,6 +6508,80 @@ Desactivado: primero la mejor vista, luego la mejor junto a ella</translation>
             <numerusform>Junto a ella hay %n segmentación de esta serie.</numerusform>
             <numerusform>Junto a ella hay %n segmentaciones de esta serie.</numerusform>
         </translation>
+    </message>
+</context>
+<context>
+    <name>fenestra::viewer::TagsPanel</name>
+    <message>
+        <source>Search tags, names and values</source>
+        <translation>Buscar atributos, nombres y valores</translation>
+    </message>
+    <message>
+        <source>DICOM tags</source>
+        <translation>Atributos DICOM</translation>
+    </message>
+    <message>
+        <source>Tag</source>
+        <translation>Tag</translation>
+    </message>
+    <message>
+        <source>VR</source>
+        <translation>VR</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Nombre</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Valor</translation>
+    </message>
+    <message>
+        <source>This study is no DICOM series: its format is %1, which has no DICOM tags.</source>
+        <translation>Este estudio no es una serie DICOM: su formato es %1, que no tiene atributos DICOM.</translation>
+    </message>
+    <message>
+        <source>This series was read from an archive. Unpack it and open the folder to see its tags.</source>
+        <translation>Esta serie se leyó de un archivo comprimido. Descomprímalo y abra la carpeta para ver sus atributos.</translation>
+    </message>
+    <message>
+        <source>The slices of this series do not lie evenly. What is shown is interpolated between them, and no file holds it.</source>
+        <translation>Los cortes de esta serie no están espaciados por igual. Lo que se muestra se interpola entre ellos y ningún archivo lo contiene.</translation>
+    </message>
+    <message>
+        <source>This plane is turned and crosses several files. Reset it (View → Slices), or click another view.</source>
+        <translation>Este plano está girado y cruza varios archivos. Restablézcalo (Ver → Cortes) o haga clic en otra vista.</translation>
+    </message>
+    <message>
+        <source>The file of this slice cannot be read.</source>
+        <translation>No se puede leer el archivo de este corte.</translation>
+    </message>
+    <message>
+        <source>Slice %1 of %2</source>
+        <translation>Corte %1 de %2</translation>
+    </message>
+    <message>
+        <source>%1, at the crosshair</source>
+        <translation>%1, en la cruz</translation>
+    </message>
+    <message>
+        <source>1 item</source>
+        <translation>1 elemento</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n items</source>
+        <translation>
+            <numerusform>%n elemento</numerusform>
+            <numerusform>%n elementos</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>hidden</source>
+        <translation>oculto</translation>
+    </message>
+    <message>
+        <source>Item %1</source>
+        <translation>Elemento %1</translation>
     </message>
 </context>
 <context>

@@ -418,6 +418,46 @@
         <source>retrieve what is selected, and open it once it is whole</source>
         <translation>récupérer la sélection, et l&apos;ouvrir dès qu&apos;elle est complète</translation>
     </message>
+    <message>
+        <source>DICOM tags and label table</source>
+        <translation>Attributs DICOM et tableau des étiquettes</translation>
+    </message>
+    <message>
+        <source>Click on a label</source>
+        <translation>Clic sur une étiquette</translation>
+    </message>
+    <message>
+        <source>crosshair into it</source>
+        <translation>réticule à l&apos;intérieur</translation>
+    </message>
+    <message>
+        <source>Ctrl+C, right click</source>
+        <translation>Ctrl+C, clic droit</translation>
+    </message>
+    <message>
+        <source>copy the selected rows, or a value</source>
+        <translation>copier les lignes sélectionnées ou une valeur</translation>
+    </message>
+    <message>
+        <source>Key images</source>
+        <translation>Images clés</translation>
+    </message>
+    <message>
+        <source>Click, Return</source>
+        <translation>Clic, Entrée</translation>
+    </message>
+    <message>
+        <source>go back to it</source>
+        <translation>y revenir</translation>
+    </message>
+    <message>
+        <source>F2</source>
+        <translation>F2</translation>
+    </message>
+    <message>
+        <source>rename it</source>
+        <translation>la renommer</translation>
+    </message>
 </context>
 <context>
     <name>Fidelity</name>
@@ -850,6 +890,30 @@
         <source>Series</source>
         <translation>Séries</translation>
     </message>
+    <message>
+        <source>DICOM tags</source>
+        <translation>Attributs DICOM</translation>
+    </message>
+    <message>
+        <source>Ctrl+T</source>
+        <translation>Ctrl+T</translation>
+    </message>
+    <message>
+        <source>Label table</source>
+        <translation>Tableau des étiquettes</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+T</source>
+        <translation>Ctrl+Shift+T</translation>
+    </message>
+    <message>
+        <source>Key images</source>
+        <translation>Images clés</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+D</source>
+        <translation>Ctrl+Shift+D</translation>
+    </message>
 </context>
 <context>
     <name>Patient</name>
@@ -1051,11 +1115,11 @@
     <name>ServerEntry</name>
     <message>
         <source>The server&apos;s AE title has 1 to 16 letters and digits; its administrator knows it.</source>
-        <translation>Le titre AE du serveur a de 1 à 16 lettres et chiffres ; son administrateur le connaît.</translation>
+        <translation>Le titre AE du serveur a de 1 à 16 lettres et chiffres&#xa0;; son administrateur le connaît.</translation>
     </message>
     <message>
         <source>Our AE title has 1 to 16 letters and digits; the server must know it.</source>
-        <translation>Notre titre AE a de 1 à 16 lettres et chiffres ; le serveur doit le connaître.</translation>
+        <translation>Notre titre AE a de 1 à 16 lettres et chiffres&#xa0;; le serveur doit le connaître.</translation>
     </message>
     <message>
         <source>The host is a name or an address, such as pacs.hospital or 192.168.1.5.</source>
@@ -2722,7 +2786,7 @@ Cosinus de l&apos;angle avec la plus proche des six</translation>
     </message>
     <message>
         <source>Disk space for what was retrieved from archive servers: the series used longest ago go first</source>
-        <translation>Espace disque pour ce qui a été récupéré des serveurs d&apos;archives : les séries inutilisées depuis le plus longtemps partent d&apos;abord</translation>
+        <translation>Espace disque pour ce qui a été récupéré des serveurs d&apos;archives&#xa0;: les séries inutilisées depuis le plus longtemps partent d&apos;abord</translation>
     </message>
     <message>
         <source>GB</source>
@@ -3694,6 +3758,14 @@ Cosinus de l&apos;angle avec la plus proche des six</translation>
         <source>Shift+V</source>
         <translation>Shift+V</translation>
     </message>
+    <message>
+        <source>Keep a key image</source>
+        <translation>Garder une image clé</translation>
+    </message>
+    <message>
+        <source>Ctrl+D</source>
+        <translation>Ctrl+D</translation>
+    </message>
 </context>
 <context>
     <name>fenestra::viewer::AppearancePanel</name>
@@ -3757,11 +3829,11 @@ Cosinus de l&apos;angle avec la plus proche des six</translation>
     </message>
     <message>
         <source>Part of the body: %1</source>
-        <translation>Partie du corps : %1</translation>
+        <translation>Partie du corps&#xa0;: %1</translation>
     </message>
     <message>
         <source>Protocol: %1</source>
-        <translation>Protocole : %1</translation>
+        <translation>Protocole&#xa0;: %1</translation>
     </message>
     <message>
         <source>Patient, study</source>
@@ -3784,7 +3856,7 @@ Cosinus de l&apos;angle avec la plus proche des six</translation>
     <name>fenestra::viewer::ArchivePanel</name>
     <message>
         <source>No server is entered, so nothing goes over the network. Add the archive server (PACS) that holds your studies; its administrator knows what to enter.</source>
-        <translation>Aucun serveur n&apos;est enregistré : rien ne passe par le réseau. Ajoutez le serveur d&apos;archives (PACS) qui a vos examens ; son administrateur sait ce qu&apos;il faut saisir.</translation>
+        <translation>Aucun serveur n&apos;est enregistré&#xa0;: rien ne passe par le réseau. Ajoutez le serveur d&apos;archives (PACS) qui a vos examens&#xa0;; son administrateur sait ce qu&apos;il faut saisir.</translation>
     </message>
     <message>
         <source>Searching…</source>
@@ -3832,7 +3904,7 @@ Cosinus de l&apos;angle avec la plus proche des six</translation>
     </message>
     <message>
         <source>Remove %1?</source>
-        <translation>Supprimer %1 ?</translation>
+        <translation>Supprimer %1&#xa0;?</translation>
     </message>
     <message>
         <source>Images</source>
@@ -3872,15 +3944,15 @@ Cosinus de l&apos;angle avec la plus proche des six</translation>
     </message>
     <message>
         <source>Nothing matches. Check the spelling; an asterisk stands for any text, as in *jane*.</source>
-        <translation>Rien ne correspond. Vérifiez l&apos;orthographe ; un astérisque vaut pour tout texte, comme dans *jane*.</translation>
+        <translation>Rien ne correspond. Vérifiez l&apos;orthographe&#xa0;; un astérisque vaut pour tout texte, comme dans *jane*.</translation>
     </message>
     <message>
         <source>Studies: %1, of patients: %2.</source>
-        <translation>Examens : %1, de patients : %2.</translation>
+        <translation>Examens&#xa0;: %1, de patients&#xa0;: %2.</translation>
     </message>
     <message>
         <source>There are more: narrow the search, or ask for more.</source>
-        <translation>Il y en a d&apos;autres : restreignez la recherche, ou demandez la suite.</translation>
+        <translation>Il y en a d&apos;autres&#xa0;: restreignez la recherche, ou demandez la suite.</translation>
     </message>
     <message>
         <source>The server does not match by some of the fields.</source>
@@ -4048,7 +4120,7 @@ Cosinus de l&apos;angle avec la plus proche des six</translation>
     </message>
     <message>
         <source>Chooses where objects are kept from now on; those of before stay where they are</source>
-        <translation>Choisit où les objets sont conservés désormais ; les précédents restent où ils sont</translation>
+        <translation>Choisit où les objets sont conservés désormais&#xa0;; les précédents restent où ils sont</translation>
     </message>
     <message>
         <source>Keep objects of archives in</source>
@@ -4060,11 +4132,11 @@ Cosinus de l&apos;angle avec la plus proche des six</translation>
     </message>
     <message>
         <source>Removes all objects that were retrieved; not while some come in</source>
-        <translation>Supprime tous les objets récupérés ; pas pendant que d&apos;autres arrivent</translation>
+        <translation>Supprime tous les objets récupérés&#xa0;; pas pendant que d&apos;autres arrivent</translation>
     </message>
     <message>
         <source>Remove all objects that were retrieved? The servers still have them, but sessions that refer to them find their data no more.</source>
-        <translation>Supprimer tous les objets récupérés ? Les serveurs les ont encore, mais les sessions qui s&apos;y réfèrent ne trouveront plus leurs données.</translation>
+        <translation>Supprimer tous les objets récupérés&#xa0;? Les serveurs les ont encore, mais les sessions qui s&apos;y réfèrent ne trouveront plus leurs données.</translation>
     </message>
     <message>
         <source>Clears…</source>
@@ -4312,6 +4384,17 @@ Cosinus de l&apos;angle avec la plus proche des six</translation>
     <message>
         <source>Context edges: %1</source>
         <translation>Arêtes du contexte&#xa0;: %1</translation>
+    </message>
+</context>
+<context>
+    <name>fenestra::viewer::CopyRows</name>
+    <message>
+        <source>Copy the &amp;value</source>
+        <translation>Copier la &amp;valeur</translation>
+    </message>
+    <message>
+        <source>&amp;Copy the rows</source>
+        <translation>&amp;Copier les lignes</translation>
     </message>
 </context>
 <context>
@@ -4631,6 +4714,60 @@ Cosinus de l&apos;angle avec la plus proche des six</translation>
     </message>
 </context>
 <context>
+    <name>fenestra::viewer::KeyImages</name>
+    <message>
+        <source>Key image %1</source>
+        <translation>Image clé %1</translation>
+    </message>
+    <message>
+        <source>Keep a key image</source>
+        <translation>Garder une image clé</translation>
+    </message>
+    <message>
+        <source>Return to a key image</source>
+        <translation>Revenir à une image clé</translation>
+    </message>
+    <message>
+        <source>Rename a key image</source>
+        <translation>Renommer une image clé</translation>
+    </message>
+    <message>
+        <source>Delete a key image</source>
+        <translation>Supprimer une image clé</translation>
+    </message>
+    <message>
+        <source>Move a key image</source>
+        <translation>Déplacer une image clé</translation>
+    </message>
+</context>
+<context>
+    <name>fenestra::viewer::KeyImagesPanel</name>
+    <message>
+        <source>&amp;Keep</source>
+        <translation>&amp;Garder</translation>
+    </message>
+    <message>
+        <source>&amp;Delete</source>
+        <translation>&amp;Supprimer</translation>
+    </message>
+    <message>
+        <source>Key images</source>
+        <translation>Images clés</translation>
+    </message>
+    <message>
+        <source>Keeps the cameras, slices, crosshair, focus and look as they are now</source>
+        <translation>Garde les caméras, les coupes, le réticule, la cible et l&apos;apparence tels qu&apos;ils sont</translation>
+    </message>
+    <message>
+        <source>Moves the key image up</source>
+        <translation>Monte l&apos;image clé</translation>
+    </message>
+    <message>
+        <source>Moves the key image down</source>
+        <translation>Descend l&apos;image clé</translation>
+    </message>
+</context>
+<context>
     <name>fenestra::viewer::KeysDialog</name>
     <message>
         <source>Change keys</source>
@@ -4706,7 +4843,7 @@ Cosinus de l&apos;angle avec la plus proche des six</translation>
     </message>
     <message>
         <source>Written to %1.</source>
-        <translation>Écrit dans %1.</translation>
+        <translation>Écrit dans&#xa0;%1.</translation>
     </message>
     <message>
         <source>%1 cannot be written: %2. Choose another folder.</source>
@@ -4854,11 +4991,11 @@ Cosinus de l&apos;angle avec la plus proche des six</translation>
     <name>fenestra::viewer::LabelModel</name>
     <message>
         <source>Label %1</source>
-        <translation>Étiquette %1</translation>
+        <translation>Étiquette&#xa0;%1</translation>
     </message>
     <message>
         <source>Label %1. Tick it to open the view to it; double-click to focus on it alone and go there; F2 renames it.</source>
-        <translation>Étiquette %1. La cocher ouvre la vue vers elle&#xa0;; un double clic en fait la seule cible et y va&#xa0;; F2 la renomme.</translation>
+        <translation>Étiquette&#xa0;%1. La cocher ouvre la vue vers elle&#xa0;; un double clic en fait la seule cible et y va&#xa0;; F2 la renomme.</translation>
     </message>
     <message>
         <source>Click to choose another colour</source>
@@ -4910,6 +5047,89 @@ Cosinus de l&apos;angle avec la plus proche des six</translation>
     <message>
         <source>Colour</source>
         <translation>Couleur</translation>
+    </message>
+</context>
+<context>
+    <name>fenestra::viewer::LabelTable</name>
+    <message>
+        <source>&amp;Copy all (CSV)</source>
+        <translation>&amp;Tout copier (CSV)</translation>
+    </message>
+    <message>
+        <source>&amp;Save…</source>
+        <translation>&amp;Enregistrer…</translation>
+    </message>
+    <message>
+        <source>Label table</source>
+        <translation>Tableau des étiquettes</translation>
+    </message>
+    <message>
+        <source>Mean</source>
+        <translation>Moyenne</translation>
+    </message>
+    <message>
+        <source>Mean, %1</source>
+        <translation>Moyenne,&#xa0;%1</translation>
+    </message>
+    <message>
+        <source>Structure</source>
+        <translation>Structure</translation>
+    </message>
+    <message>
+        <source>Volume</source>
+        <translation>Volume</translation>
+    </message>
+    <message>
+        <source>SD</source>
+        <translation>ET</translation>
+    </message>
+    <message>
+        <source>Extent, mm</source>
+        <translation>Étendue, mm</translation>
+    </message>
+    <message>
+        <source>Seen, C1</source>
+        <translation>Vu, C1</translation>
+    </message>
+    <message>
+        <source>Seen, C2</source>
+        <translation>Vu, C2</translation>
+    </message>
+    <message>
+        <source>Sides of its box along the patient: left to right, front to back, foot to head</source>
+        <translation>Côtés de sa boîte le long du patient&#xa0;: gauche à droite, avant en arrière, pieds à tête</translation>
+    </message>
+    <message>
+        <source>Share of its surface that the camera sees; measured for labels in focus when cameras are placed</source>
+        <translation>Part de sa surface que voit la caméra&#xa0;; mesurée pour les étiquettes ciblées quand les caméras sont placées</translation>
+    </message>
+    <message>
+        <source>Label %1</source>
+        <translation>Étiquette&#xa0;%1</translation>
+    </message>
+    <message>
+        <source>This study has no labels. Open some from the File menu, or keep a grown region as a label.</source>
+        <translation>Cet examen n&apos;a pas d&apos;étiquettes. Ouvrez-en par le menu Fichier, ou gardez une région comme étiquette.</translation>
+    </message>
+    <message>
+        <source>Measuring the labels…</source>
+        <translation>Mesure des étiquettes…</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>Save the label table</source>
+        <translation>Enregistrer le tableau des étiquettes</translation>
+    </message>
+    <message>
+        <source>Table (CSV)</source>
+        <translation>Tableau (CSV)</translation>
+    </message>
+    <message>
+        <source>Written to %1.</source>
+        <translation>Écrit dans&#xa0;%1.</translation>
     </message>
 </context>
 <context>
@@ -4972,6 +5192,10 @@ Cosinus de l&apos;angle avec la plus proche des six</translation>
     <message>
         <source>%1 lies over other labels and took %2 from them; undo brings them back.</source>
         <translation>%1 recouvre d&apos;autres étiquettes et leur a pris %2&#xa0;; Annuler les ramène.</translation>
+    </message>
+    <message>
+        <source>There are %1 key images; delete some to keep another.</source>
+        <translation>Il y a %1 images clés ; supprimez-en pour en garder une autre.</translation>
     </message>
 </context>
 <context>
@@ -5498,7 +5722,7 @@ Sinon&#xa0;: d&apos;abord la meilleure vue, puis la meilleure à côté</transla
     </message>
     <message>
         <source>Paused; what came is kept</source>
-        <translation>En pause ; ce qui est arrivé est conservé</translation>
+        <translation>En pause&#xa0;; ce qui est arrivé est conservé</translation>
     </message>
     <message>
         <source>Whole</source>
@@ -5572,7 +5796,7 @@ Sinon&#xa0;: d&apos;abord la meilleure vue, puis la meilleure à côté</transla
     </message>
     <message>
         <source>Family name, or &quot;Doe, Jane&quot;: all names that begin so. %1, as in *jane*</source>
-        <translation>Nom de famille, ou « Doe, Jane » : tous les noms qui commencent ainsi. %1, comme dans *jane*</translation>
+        <translation>Nom de famille, ou «&#xa0;Doe, Jane&#xa0;»&#xa0;: tous les noms qui commencent ainsi. %1, comme dans *jane*</translation>
     </message>
     <message>
         <source>The patient&apos;s ID as it is. %1, as in 47*</source>
@@ -5640,7 +5864,7 @@ Sinon&#xa0;: d&apos;abord la meilleure vue, puis la meilleure à côté</transla
     </message>
     <message>
         <source>Its name (date, type and description are saved, nothing of a patient):</source>
-        <translation>Son nom (date, type et description sont enregistrés, rien d&apos;un patient) :</translation>
+        <translation>Son nom (date, type et description sont enregistrés, rien d&apos;un patient)&#xa0;:</translation>
     </message>
     <message>
         <source>Forget</source>
@@ -5679,7 +5903,7 @@ Sinon&#xa0;: d&apos;abord la meilleure vue, puis la meilleure à côté</transla
     </message>
     <message>
         <source>The open series, images: %1</source>
-        <translation>La série ouverte, images : %1</translation>
+        <translation>La série ouverte, images&#xa0;: %1</translation>
     </message>
     <message>
         <source>Its files as they are</source>
@@ -5695,7 +5919,7 @@ Sinon&#xa0;: d&apos;abord la meilleure vue, puis la meilleure à côté</transla
     </message>
     <message>
         <source>The objects hold the patient&apos;s name and ID: an archive files them by these.</source>
-        <translation>Les objets contiennent le nom et l&apos;ID du patient : une archive les classe ainsi.</translation>
+        <translation>Les objets contiennent le nom et l&apos;ID du patient&#xa0;: une archive les classe ainsi.</translation>
     </message>
     <message>
         <source>Server</source>
@@ -5719,7 +5943,7 @@ Sinon&#xa0;: d&apos;abord la meilleure vue, puis la meilleure à côté</transla
     </message>
     <message>
         <source>Accepted: %1 of %2.</source>
-        <translation>Acceptés : %1 sur %2.</translation>
+        <translation>Acceptés&#xa0;: %1 sur %2.</translation>
     </message>
 </context>
 <context>
@@ -5776,7 +6000,7 @@ Sinon&#xa0;: d&apos;abord la meilleure vue, puis la meilleure à côté</transla
     </message>
     <message>
         <source>What the server speaks; its administrator knows</source>
-        <translation>Ce que parle le serveur ; son administrateur le sait</translation>
+        <translation>Ce que parle le serveur&#xa0;; son administrateur le sait</translation>
     </message>
     <message>
         <source>Name</source>
@@ -5800,7 +6024,7 @@ Sinon&#xa0;: d&apos;abord la meilleure vue, puis la meilleure à côté</transla
     </message>
     <message>
         <source>Our AE title: its administrator enters it at the server</source>
-        <translation>Notre titre AE : l&apos;administrateur l&apos;enregistre sur le serveur</translation>
+        <translation>Notre titre AE&#xa0;: l&apos;administrateur l&apos;enregistre sur le serveur</translation>
     </message>
     <message>
         <source>C-GET, over our connection</source>
@@ -5812,7 +6036,7 @@ Sinon&#xa0;: d&apos;abord la meilleure vue, puis la meilleure à côté</transla
     </message>
     <message>
         <source>How objects come. C-GET needs nothing more; with C-MOVE our address and port are entered at the server, and the port is open while objects come</source>
-        <translation>Comment les objets arrivent. C-GET n&apos;a besoin de rien d&apos;autre ; avec C-MOVE, notre adresse et notre port sont enregistrés sur le serveur, et le port est ouvert pendant que les objets arrivent</translation>
+        <translation>Comment les objets arrivent. C-GET n&apos;a besoin de rien d&apos;autre&#xa0;; avec C-MOVE, notre adresse et notre port sont enregistrés sur le serveur, et le port est ouvert pendant que les objets arrivent</translation>
     </message>
     <message>
         <source>Address of this machine that the server sends to</source>
@@ -5928,11 +6152,11 @@ Sinon&#xa0;: d&apos;abord la meilleure vue, puis la meilleure à côté</transla
     </message>
     <message>
         <source>Token for %1:</source>
-        <translation>Jeton pour %1 :</translation>
+        <translation>Jeton pour %1&#xa0;:</translation>
     </message>
     <message>
         <source>Password of %1 for %2:</source>
-        <translation>Mot de passe de %1 pour %2 :</translation>
+        <translation>Mot de passe de %1 pour %2&#xa0;:</translation>
     </message>
 </context>
 <context>
@@ -6284,6 +6508,80 @@ Sinon&#xa0;: d&apos;abord la meilleure vue, puis la meilleure à côté</transla
             <numerusform>%n segmentation de cette série se trouve à côté.</numerusform>
             <numerusform>%n segmentations de cette série se trouvent à côté.</numerusform>
         </translation>
+    </message>
+</context>
+<context>
+    <name>fenestra::viewer::TagsPanel</name>
+    <message>
+        <source>Search tags, names and values</source>
+        <translation>Chercher attributs, noms et valeurs</translation>
+    </message>
+    <message>
+        <source>DICOM tags</source>
+        <translation>Attributs DICOM</translation>
+    </message>
+    <message>
+        <source>Tag</source>
+        <translation>Tag</translation>
+    </message>
+    <message>
+        <source>VR</source>
+        <translation>VR</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Nom</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Valeur</translation>
+    </message>
+    <message>
+        <source>This study is no DICOM series: its format is %1, which has no DICOM tags.</source>
+        <translation>Cet examen n&apos;est pas une série DICOM&#xa0;: son format est&#xa0;%1, qui n&apos;a pas d&apos;attributs DICOM.</translation>
+    </message>
+    <message>
+        <source>This series was read from an archive. Unpack it and open the folder to see its tags.</source>
+        <translation>Cette série a été lue dans une archive. Décompressez-la et ouvrez le dossier pour voir ses attributs.</translation>
+    </message>
+    <message>
+        <source>The slices of this series do not lie evenly. What is shown is interpolated between them, and no file holds it.</source>
+        <translation>Les coupes de cette série ne sont pas régulières. Ce qui est montré est interpolé entre elles, et aucun fichier ne le contient.</translation>
+    </message>
+    <message>
+        <source>This plane is turned and crosses several files. Reset it (View → Slices), or click another view.</source>
+        <translation>Ce plan est tourné et traverse plusieurs fichiers. Réinitialisez-le (Affichage → Coupes), ou cliquez dans une autre vue.</translation>
+    </message>
+    <message>
+        <source>The file of this slice cannot be read.</source>
+        <translation>Le fichier de cette coupe ne peut pas être lu.</translation>
+    </message>
+    <message>
+        <source>Slice %1 of %2</source>
+        <translation>Coupe&#xa0;%1 sur&#xa0;%2</translation>
+    </message>
+    <message>
+        <source>%1, at the crosshair</source>
+        <translation>%1, au réticule</translation>
+    </message>
+    <message>
+        <source>1 item</source>
+        <translation>1 élément</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n items</source>
+        <translation>
+            <numerusform>%n élément</numerusform>
+            <numerusform>%n éléments</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>hidden</source>
+        <translation>masqué</translation>
+    </message>
+    <message>
+        <source>Item %1</source>
+        <translation>Élément&#xa0;%1</translation>
     </message>
 </context>
 <context>

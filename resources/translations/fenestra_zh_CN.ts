@@ -418,6 +418,46 @@
         <source>retrieve what is selected, and open it once it is whole</source>
         <translation>获取所选内容，完整后打开</translation>
     </message>
+    <message>
+        <source>DICOM tags and label table</source>
+        <translation>DICOM 属性与标签表</translation>
+    </message>
+    <message>
+        <source>Click on a label</source>
+        <translation>单击标签</translation>
+    </message>
+    <message>
+        <source>crosshair into it</source>
+        <translation>十字线移到其中</translation>
+    </message>
+    <message>
+        <source>Ctrl+C, right click</source>
+        <translation>Ctrl+C、右击</translation>
+    </message>
+    <message>
+        <source>copy the selected rows, or a value</source>
+        <translation>复制所选行或一个值</translation>
+    </message>
+    <message>
+        <source>Key images</source>
+        <translation>关键图像</translation>
+    </message>
+    <message>
+        <source>Click, Return</source>
+        <translation>单击、回车</translation>
+    </message>
+    <message>
+        <source>go back to it</source>
+        <translation>返回该图像</translation>
+    </message>
+    <message>
+        <source>F2</source>
+        <translation>F2</translation>
+    </message>
+    <message>
+        <source>rename it</source>
+        <translation>重命名</translation>
+    </message>
 </context>
 <context>
     <name>Fidelity</name>
@@ -849,6 +889,30 @@
     <message>
         <source>Series</source>
         <translation>序列</translation>
+    </message>
+    <message>
+        <source>DICOM tags</source>
+        <translation>DICOM 属性</translation>
+    </message>
+    <message>
+        <source>Ctrl+T</source>
+        <translation>Ctrl+T</translation>
+    </message>
+    <message>
+        <source>Label table</source>
+        <translation>标签表</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+T</source>
+        <translation>Ctrl+Shift+T</translation>
+    </message>
+    <message>
+        <source>Key images</source>
+        <translation>关键图像</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+D</source>
+        <translation>Ctrl+Shift+D</translation>
     </message>
 </context>
 <context>
@@ -3693,6 +3757,14 @@ Cosine of the angle to the nearest of the six</source>
         <source>Shift+V</source>
         <translation>Shift+V</translation>
     </message>
+    <message>
+        <source>Keep a key image</source>
+        <translation>保留关键图像</translation>
+    </message>
+    <message>
+        <source>Ctrl+D</source>
+        <translation>Ctrl+D</translation>
+    </message>
 </context>
 <context>
     <name>fenestra::viewer::AppearancePanel</name>
@@ -4314,6 +4386,17 @@ Cosine of the angle to the nearest of the six</source>
     </message>
 </context>
 <context>
+    <name>fenestra::viewer::CopyRows</name>
+    <message>
+        <source>Copy the &amp;value</source>
+        <translation>复制值(&amp;V)</translation>
+    </message>
+    <message>
+        <source>&amp;Copy the rows</source>
+        <translation>复制行(&amp;C)</translation>
+    </message>
+</context>
+<context>
     <name>fenestra::viewer::CutawayPanel</name>
     <message>
         <source>own</source>
@@ -4630,6 +4713,60 @@ Cosine of the angle to the nearest of the six</source>
     </message>
 </context>
 <context>
+    <name>fenestra::viewer::KeyImages</name>
+    <message>
+        <source>Key image %1</source>
+        <translation>关键图像 %1</translation>
+    </message>
+    <message>
+        <source>Keep a key image</source>
+        <translation>保留关键图像</translation>
+    </message>
+    <message>
+        <source>Return to a key image</source>
+        <translation>返回关键图像</translation>
+    </message>
+    <message>
+        <source>Rename a key image</source>
+        <translation>重命名关键图像</translation>
+    </message>
+    <message>
+        <source>Delete a key image</source>
+        <translation>删除关键图像</translation>
+    </message>
+    <message>
+        <source>Move a key image</source>
+        <translation>移动关键图像</translation>
+    </message>
+</context>
+<context>
+    <name>fenestra::viewer::KeyImagesPanel</name>
+    <message>
+        <source>&amp;Keep</source>
+        <translation>保留(&amp;K)</translation>
+    </message>
+    <message>
+        <source>&amp;Delete</source>
+        <translation>删除(&amp;D)</translation>
+    </message>
+    <message>
+        <source>Key images</source>
+        <translation>关键图像</translation>
+    </message>
+    <message>
+        <source>Keeps the cameras, slices, crosshair, focus and look as they are now</source>
+        <translation>保留当前的相机、层面、十字线、焦点和外观</translation>
+    </message>
+    <message>
+        <source>Moves the key image up</source>
+        <translation>将关键图像上移</translation>
+    </message>
+    <message>
+        <source>Moves the key image down</source>
+        <translation>将关键图像下移</translation>
+    </message>
+</context>
+<context>
     <name>fenestra::viewer::KeysDialog</name>
     <message>
         <source>Change keys</source>
@@ -4911,6 +5048,89 @@ Cosine of the angle to the nearest of the six</source>
     </message>
 </context>
 <context>
+    <name>fenestra::viewer::LabelTable</name>
+    <message>
+        <source>&amp;Copy all (CSV)</source>
+        <translation>全部复制 (CSV)(&amp;C)</translation>
+    </message>
+    <message>
+        <source>&amp;Save…</source>
+        <translation>保存(&amp;S)…</translation>
+    </message>
+    <message>
+        <source>Label table</source>
+        <translation>标签表</translation>
+    </message>
+    <message>
+        <source>Mean</source>
+        <translation>平均值</translation>
+    </message>
+    <message>
+        <source>Mean, %1</source>
+        <translation>平均值，%1</translation>
+    </message>
+    <message>
+        <source>Structure</source>
+        <translation>结构</translation>
+    </message>
+    <message>
+        <source>Volume</source>
+        <translation>体积</translation>
+    </message>
+    <message>
+        <source>SD</source>
+        <translation>标准差</translation>
+    </message>
+    <message>
+        <source>Extent, mm</source>
+        <translation>范围，mm</translation>
+    </message>
+    <message>
+        <source>Seen, C1</source>
+        <translation>可见，C1</translation>
+    </message>
+    <message>
+        <source>Seen, C2</source>
+        <translation>可见，C2</translation>
+    </message>
+    <message>
+        <source>Sides of its box along the patient: left to right, front to back, foot to head</source>
+        <translation>沿患者方向包围盒的边长：左右、前后、足头</translation>
+    </message>
+    <message>
+        <source>Share of its surface that the camera sees; measured for labels in focus when cameras are placed</source>
+        <translation>相机可见的表面比例；放置相机时对焦点中的标签测量</translation>
+    </message>
+    <message>
+        <source>Label %1</source>
+        <translation>标签 %1</translation>
+    </message>
+    <message>
+        <source>This study has no labels. Open some from the File menu, or keep a grown region as a label.</source>
+        <translation>此检查没有标签。请从“文件”菜单打开，或将生长的区域保留为标签。</translation>
+    </message>
+    <message>
+        <source>Measuring the labels…</source>
+        <translation>正在测量标签…</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>Save the label table</source>
+        <translation>保存标签表</translation>
+    </message>
+    <message>
+        <source>Table (CSV)</source>
+        <translation>表格 (CSV)</translation>
+    </message>
+    <message>
+        <source>Written to %1.</source>
+        <translation>已写入 %1。</translation>
+    </message>
+</context>
+<context>
     <name>fenestra::viewer::LoadingBar</name>
     <message>
         <source>Cancel</source>
@@ -4970,6 +5190,10 @@ Cosine of the angle to the nearest of the six</source>
     <message>
         <source>%1 lies over other labels and took %2 from them; undo brings them back.</source>
         <translation>%1 覆盖其他标签并占去其 %2；撤销可恢复。</translation>
+    </message>
+    <message>
+        <source>There are %1 key images; delete some to keep another.</source>
+        <translation>已有 %1 幅关键图像；请删除一些再保留新的。</translation>
     </message>
 </context>
 <context>
@@ -6275,6 +6499,79 @@ Off: first the best view, then the best one beside it</source>
         <translation>
             <numerusform>旁边有此序列的 %n 个分割。</numerusform>
         </translation>
+    </message>
+</context>
+<context>
+    <name>fenestra::viewer::TagsPanel</name>
+    <message>
+        <source>Search tags, names and values</source>
+        <translation>搜索属性、名称和值</translation>
+    </message>
+    <message>
+        <source>DICOM tags</source>
+        <translation>DICOM 属性</translation>
+    </message>
+    <message>
+        <source>Tag</source>
+        <translation>标签</translation>
+    </message>
+    <message>
+        <source>VR</source>
+        <translation>VR</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>名称</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>值</translation>
+    </message>
+    <message>
+        <source>This study is no DICOM series: its format is %1, which has no DICOM tags.</source>
+        <translation>此检查不是 DICOM 序列：其格式为 %1，没有 DICOM 属性。</translation>
+    </message>
+    <message>
+        <source>This series was read from an archive. Unpack it and open the folder to see its tags.</source>
+        <translation>此序列读自压缩包。请解压并打开文件夹以查看其属性。</translation>
+    </message>
+    <message>
+        <source>The slices of this series do not lie evenly. What is shown is interpolated between them, and no file holds it.</source>
+        <translation>此序列的层面分布不均匀。所显示的是层面之间的插值，没有文件包含它。</translation>
+    </message>
+    <message>
+        <source>This plane is turned and crosses several files. Reset it (View → Slices), or click another view.</source>
+        <translation>此平面已旋转并穿过多个文件。请将其复位（视图 → 层面），或单击其他视图。</translation>
+    </message>
+    <message>
+        <source>The file of this slice cannot be read.</source>
+        <translation>无法读取此层面的文件。</translation>
+    </message>
+    <message>
+        <source>Slice %1 of %2</source>
+        <translation>第 %1 层，共 %2 层</translation>
+    </message>
+    <message>
+        <source>%1, at the crosshair</source>
+        <translation>%1，十字线处</translation>
+    </message>
+    <message>
+        <source>1 item</source>
+        <translation>1 项</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n items</source>
+        <translation>
+            <numerusform>%n 项</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>hidden</source>
+        <translation>已隐藏</translation>
+    </message>
+    <message>
+        <source>Item %1</source>
+        <translation>项 %1</translation>
     </message>
 </context>
 <context>

@@ -88,6 +88,8 @@ class Conventions : public Window {
   void addEditorGestures(Cases& cases);
   void addGesturesOfAllViews(Cases& cases);
   void addArchiveGestures(Cases& cases);
+  void addListGestures(Cases& cases);
+  void addKeyImageGestures(Cases& cases);
 };
 
 }  // namespace fenestra::viewer

@@ -424,6 +424,8 @@ TEST_F(Conventions, EveryGestureDoesWhatItSays) {
   addEditorGestures(cases);
   addGesturesOfAllViews(cases);
   addArchiveGestures(cases);
+  addListGestures(cases);
+  addKeyImageGestures(cases);
   run(cases, wanted);
 }
 

@@ -229,6 +229,17 @@ void Conventions::addViewCases(Cases& cases) {
       planes().resetAll();
     };
   cases["F11"] = [this] { expectToggle("F11", [this] { return window_->isFullScreen(); }); };
+  for (const auto& [keys, dock] : {std::pair("Ctrl+T", "tagsDock"), std::pair("Ctrl+Shift+T", "labelTableDock"),
+                                   std::pair("Ctrl+Shift+D", "keyImagesDock")})
+    cases[keys] = [this, keys = keys, dock = dock] {
+      const QWidget* shown = window_->findChild<QWidget*>(QLatin1String(dock));
+      expectToggle(keys, [shown] { return shown->isVisible(); });
+    };
+  cases["Ctrl+D"] = [this] {
+    const std::size_t before = document().keyImages().size();
+    press("Ctrl+D");
+    EXPECT_EQ(document().keyImages().size(), before + 1);
+  };
   cases["Esc"] = [this] {
     views().toggleMaximised(axial());
     press("Esc");

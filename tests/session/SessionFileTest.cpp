@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <cstring>
 #include <fstream>
+#include <functional>
 #include <random>
 
 #include <sys/wait.h>
@@ -198,6 +199,27 @@ TEST(SessionFile, RefusesAxesOfASliceThatAreNotPerpendicular) {
   EXPECT_NE(said.find("no perpendicular unit vectors"), std::string::npos) << said;
 }
 
+TEST(SessionFile, RefusesKeyImagesThatNobodyMakes) {
+  const io::Session good = fullSession(scratchFolder());
+  const std::pair<const char*, std::function<void(io::Session&)>> wrong[] = {
+      {"too long a name", [](io::Session& bad) { bad.keyImages[1].name.assign(201, 'x'); }},
+      {"too large a picture", [](io::Session& bad) { bad.keyImages[1].picture.assign((1 << 18) + 1, 'A'); }},
+      {"more key images", [](io::Session& bad) { bad.keyImages.assign(501, bad.keyImages[1]); }},
+      {"no perpendicular unit vectors",
+       [](io::Session& bad) {
+         bad.keyImages[0].planes[1].axes->down = {0, 0.6, -0.8};
+       }},
+      {"low exceeds its high", [](io::Session& bad) {
+         bad.keyImages[1].look.focus = ValueFocus{{2.0, 1.0}};
+       }}};
+  for (const auto& [says, spoil] : wrong) {
+    io::Session bad = good;
+    spoil(bad);
+    const std::string said = errorOf([&] { io::readSession(saved(bad)); });
+    EXPECT_NE(said.find(says), std::string::npos) << said;
+  }
+}
+
 TEST(SessionFile, KeepsWhatItDoesNotKnowAtEveryLevel) {
   const fs::path folder = scratchFolder(), file = folder / "a.fenestra";
   io::writeSession(file, fullSession(folder));
@@ -253,6 +275,7 @@ TEST(SessionFile, OpensAnOlderVersion) {
   EXPECT_EQ(session.look.focus, Focus(LabelFocus{{3, 5}}));
   EXPECT_EQ(session.views[0].size, io::SessionView().size) << "it had no size";
   EXPECT_EQ(session.planes, (std::array<io::SessionPlane, 3>())) << "its slices were the volume's own";
+  EXPECT_TRUE(session.keyImages.empty());
   const fs::path file = saved(session);
   const Json written = Json::parse(readFile(file));
   EXPECT_EQ(written["version"], io::sessionVersion);

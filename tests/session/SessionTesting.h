@@ -128,6 +128,17 @@ inline io::Session fullSession(const std::filesystem::path& folder) {
   session.measures = {
       {MeasureKind::Angle, {{1.5, -2.25, 1.0 / 3.0}, {0.0, 7.0, 1e-9}, {-3.0, 0.1, 12.0}}, {0, 1, 0}, {0, 0, -1}},
       {MeasureKind::Ellipse, {{10.0, 20.0, 30.0}, {11.0, 22.0, 30.0}}, {0.6, 0.8, 0}, {-0.8, 0.6, 0}}};
+  session.keyImages.resize(2);
+  session.keyImages[0].name = "Stenosis, \"proximal\" é";
+  session.keyImages[0].picture = "iVBORw0KGgo=";
+  session.keyImages[0].look = session.look;
+  session.keyImages[0].views = {io::KeyView{session.views[0].camera, session.views[0].frozen},
+                                io::KeyView{session.views[1].camera, session.views[1].frozen}};
+  session.keyImages[0].window = {1.0 / 3.0, -7.0};
+  session.keyImages[0].inverted = true;
+  session.keyImages[0].crosshair = {1e-9, -2.0, 3.0};
+  session.keyImages[0].planes = session.planes;
+  session.keyImages[1].name = "2";
   session.maximised = "sagittal";
   session.layout = "AAECAw==";
   session.placement = {.samples = 588,

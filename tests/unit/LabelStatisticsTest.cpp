@@ -146,5 +146,28 @@ TEST(LabelStatistics, ALabelWithoutNumbersHasAVolumeAlone) {
   EXPECT_EQ(first.mean, 0.0);
 }
 
+TEST(LabelStatistics, APlaceWithinIsTheVoxelNearestToTheCentre) {
+  const Random data(0.0);
+  const auto statistics = labelStatistics(data.labels, data.volume);
+  const auto places = placesWithin(data.labels, statistics);
+  ASSERT_EQ(places.size(), statistics.size());
+  const Grid& grid = data.labels.grid;
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    if (statistics[i].voxels == 0) continue;
+    double least = 1e300;
+    for (int z = 0; z < grid.dims.z; ++z)
+      for (int y = 0; y < grid.dims.y; ++y)
+        for (int x = 0; x < grid.dims.x; ++x)
+          if (data.labels.value({x, y, z}) == statistics[i].label)
+            least = std::min(least, glm::distance(glm::dvec3(grid.worldFromIndex() * glm::dvec4(x, y, z, 1.0)),
+                                                  statistics[i].centre));
+    // Rounding of a thousand millimetres in double precision.
+    EXPECT_NEAR(glm::distance(places[i], statistics[i].centre), least, 1e-9) << statistics[i].label;
+    const glm::dvec3 index(grid.indexFromWorld() * glm::dvec4(places[i], 1.0));
+    EXPECT_LT(glm::distance(index, glm::round(index)), 1e-9) << "a voxel's centre";
+    EXPECT_EQ(data.labels.value(glm::ivec3(glm::round(index))), statistics[i].label);
+  }
+}
+
 }  // namespace
 }  // namespace fenestra::label_statistics_test

@@ -53,6 +53,7 @@ class Actions : public QObject {
     GlSupport gl;
     std::function<void()> closeStudy;
     std::function<void()> resetLayout;
+    std::function<void()> keepKeyImage;
     CutawayPanel& cutaway;
     ArchiveDock& archive;
     Guide& guide;

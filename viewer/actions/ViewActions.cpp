@@ -34,6 +34,8 @@ void Actions::makeViewMenu() {
   menu->addSeparator();
   makeLayoutMenu(*menu);
   menu->addAction(action(tr("All &views"), QKeySequence(tr("Esc")), [this] { stop(); }));
+  menu->addAction(
+      volumeAction(tr("Keep a key image"), QKeySequence(tr("Ctrl+D")), [this] { targets_.keepKeyImage(); }));
   menu->addAction(action(tr("Full screen"), QKeySequence(tr("F11")), [this] {
     targets_.window.setWindowState(targets_.window.windowState() ^ Qt::WindowFullScreen);
   }));

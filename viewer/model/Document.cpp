@@ -43,6 +43,7 @@ void Document::close() {
 void Document::reportAll() {
   Q_EMIT volumeChanged();
   showMeasures(study_.session.measures);
+  showKeyImages(study_.session.keyImages);
   Q_EMIT labelsChanged();
   Q_EMIT focusChanged();
   Q_EMIT transferFunctionChanged();
@@ -295,6 +296,18 @@ void Document::setMeasures(std::vector<Measure> measures, const QString& name) {
   std::vector<Measure> before = measures_;
   showMeasures(std::move(measures));
   history_.push(name, std::make_shared<MeasuresChange>(parts(), std::move(before), measures_));
+}
+
+void Document::showKeyImages(std::vector<io::KeyImage> images) {
+  if (images.empty() && keyImages_.empty()) return;
+  keyImages_ = std::move(images);
+  Q_EMIT keyImagesChanged();
+}
+
+void Document::setKeyImages(std::vector<io::KeyImage> images, const QString& name) {
+  std::vector<io::KeyImage> before = keyImages_;
+  showKeyImages(std::move(images));
+  history_.push(name, std::make_shared<KeyImagesChange>(parts(), std::move(before), keyImages_));
 }
 
 std::optional<glm::ivec3> Document::voxelAt(glm::dvec3 world) const {

@@ -77,4 +77,12 @@ bool MeasuresChange::absorb(const Change& next) {
 
 std::size_t MeasuresChange::bytes() const { return sizeof(*this) + heldBy(before_) + heldBy(after_); }
 
+std::size_t KeyImagesChange::bytes() const {
+  std::size_t bytes = sizeof(*this);
+  for (const std::vector<io::KeyImage>* images : {&before_, &after_})
+    for (const io::KeyImage& image : *images)
+      bytes += sizeof(image) + heldBy(image.look) + image.name.capacity() + image.picture.capacity();
+  return bytes;
+}
+
 }  // namespace fenestra::viewer

@@ -2,6 +2,7 @@
 // The steps of a document's history: each turns one part of the document into what it was before or after.
 
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "rendering/segmentation/LabelEdit.h"
@@ -66,6 +67,23 @@ class MeasuresChange : public Change {
  private:
   DocumentParts& parts_;
   std::vector<Measure> before_, after_;
+};
+
+/// From one list of key images to another.
+class KeyImagesChange : public Change {
+ public:
+  KeyImagesChange(DocumentParts& parts, std::vector<io::KeyImage> before, std::vector<io::KeyImage> after)
+      : parts_(parts), before_(std::move(before)), after_(std::move(after)) {}
+
+  void undo() override { parts_.showKeyImages(before_); }
+  void redo() override { parts_.showKeyImages(after_); }
+  bool absorb(const Change&) override { return false; }
+  bool isNothing() const override { return before_ == after_; }
+  std::size_t bytes() const override;
+
+ private:
+  DocumentParts& parts_;
+  std::vector<io::KeyImage> before_, after_;
 };
 
 }  // namespace fenestra::viewer

@@ -5,6 +5,7 @@
 #include <memory>
 #include <vector>
 
+#include "io/session/Session.h"
 #include "rendering/settings/Look.h"
 #include "rendering/volume/LabelMap.h"
 #include "rendering/volume/SliceMeasure.h"
@@ -21,6 +22,7 @@ class DocumentParts {
   /// `revision`: the number of the labels' state.
   virtual void showLabels(std::shared_ptr<const LabelMap> labels, std::uint64_t revision, Focus focus) = 0;
   virtual void showMeasures(std::vector<Measure> measures) = 0;
+  virtual void showKeyImages(std::vector<io::KeyImage> images) = 0;
 
  protected:
   ~DocumentParts() = default;

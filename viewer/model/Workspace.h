@@ -5,6 +5,7 @@
 #include "viewer/model/Brush.h"
 #include "viewer/model/Carving.h"
 #include "viewer/model/Document.h"
+#include "viewer/model/KeyImages.h"
 #include "viewer/model/LookLibrary.h"
 #include "viewer/model/MeasureMode.h"
 #include "viewer/model/PlacementController.h"
@@ -29,6 +30,7 @@ struct Workspace {
   ViewOptions options;
   Brush brush;
   Carving carving{document};
+  KeyImages keyImages{{document, cursor, planes, cameras, placement}};
   SelectionBrush selection;
   RegionBall ball;
   ActiveTool tool{{&brush, &carving, &selection}};
