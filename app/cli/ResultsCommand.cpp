@@ -235,6 +235,8 @@ bool describeResult(const InfoOptions& options) {
   if (options.tags || options.data.raw || options.data.path.empty()) return false;
   const std::optional<io::report::ResultObject> result = io::report::readResult(options.data.path);
   if (!result) return false;
+  // Its reader says what is wrong with one that holds no segments.
+  if (result->kind == "segmentation" && result->segments.empty()) return false;
   Json values = Json::array(), images = Json::array();
   for (const auto& value : result->values) values.push_back(jsonOf(value));
   for (const auto& image : result->images) {
