@@ -1,5 +1,7 @@
 // Choosing a method in the window: its own rows, pictures, undo, sessions, and what it does not have.
 
+#include <utility>
+
 #include <QComboBox>
 #include <QSpinBox>
 #include <QTest>
@@ -51,8 +53,11 @@ TEST_F(MethodWindow, ListsEachMethodWithAToolTip) {
 
 TEST_F(MethodWindow, NothingMovesUnderTheMouseWhenAMethodIsChosen) {
   const auto* box = control<QComboBox>("kind");
-  const auto place = [](const QWidget* widget) { return QRect(widget->mapToGlobal(QPoint()), widget->size()); };
-  const QRect before = place(box), width = place(control<SliderSpin>("open_width"));
+  // From top to bottom: longer labels may take some of a control's width.
+  const auto place = [](const QWidget* widget) {
+    return std::pair(widget->mapToGlobal(QPoint()).y(), widget->height());
+  };
+  const auto before = place(box), width = place(control<SliderSpin>("open_width"));
   forEachMethod([&]<class M>() {
     choose("kind", kindOf<M>);
     // Layouts run when their events are delivered.

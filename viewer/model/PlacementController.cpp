@@ -136,11 +136,12 @@ void PlacementController::measureAlone() {
 }
 
 void PlacementController::cancel() {
+  // Views wait for cameras that are to be placed, also while that is only due.
+  const bool waited = chosen_.isActive() || turned_.isActive() || slice_.isActive();
   chosen_.stop();
   turned_.stop();
-  if (!slice_.isActive()) return;
   slice_.stop();
-  Q_EMIT changed();
+  if (waited) Q_EMIT changed();
 }
 
 double PlacementController::progress() const { return backend_ ? backend_->progress() : 0.0; }

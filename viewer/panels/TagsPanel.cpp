@@ -148,7 +148,7 @@ TagsPanel::Place TagsPanel::wanted() const {
 void TagsPanel::read() {
   if (!job_) return;
   const Place place = wanted();
-  if (place == place_) return;
+  if (place == place_) return say();  // another view may show it
   place_ = place;
   problem_.clear();
   tags_.clear();
