@@ -73,7 +73,7 @@ Panels makePanels(QMainWindow& window, Workspace& workspace) {
     window.addDockWidget(area, dock);
     return dock;
   };
-  window.setTabPosition(Qt::RightDockWidgetArea, QTabWidget::North);
+  window.setTabPosition(Qt::LeftDockWidgetArea | Qt::RightDockWidgetArea, QTabWidget::North);
   auto* focusScroller = new ScrollingPanel;  // a grown region adds rows, for which the window must not grow
   focusScroller->setBody(panels.focus);
   QDockWidget* focus = add(PanelsWords::tr("Focus"), "focusDock", focusScroller);

@@ -13,6 +13,7 @@
 #include <QLineEdit>
 #include <QMenu>
 #include <QMenuBar>
+#include <QTabBar>
 #include <QTest>
 
 #include "tests/gui/CutTexts.h"
@@ -89,8 +90,10 @@ class Accessible : public Window {
   }
 };
 
-/// What the keyboard reaches, and fields within such controls do not count.
+/// What the keyboard reaches. Fields within such controls do not count, nor the bar without tabs that Qt keeps beyond the
+/// window's edge for docks that are hidden.
 bool isControl(const QWidget& widget) {
+  if (const auto* tabs = qobject_cast<const QTabBar*>(&widget); tabs && tabs->count() == 0) return false;
   return widget.isVisible() && widget.focusPolicy() != Qt::NoFocus && !widget.focusProxy() && !widget.isWindow() &&
          !qobject_cast<const QAbstractSpinBox*>(widget.parentWidget()) &&
          !qobject_cast<const QComboBox*>(widget.parentWidget());
