@@ -29,6 +29,16 @@ struct PanelsWords {
   Q_DECLARE_TR_FUNCTIONS(Panels)
 };
 
+QDockWidget* addDock(QMainWindow& window, Qt::DockWidgetArea area, const QString& title, const char* name,
+                     QWidget* panel) {
+  auto* dock = new QDockWidget(title);
+  dock->setObjectName(QLatin1String(name));
+  dock->setFeatures(QDockWidget::DockWidgetMovable | QDockWidget::DockWidgetClosable);
+  dock->setWidget(panel);
+  window.addDockWidget(area, dock);
+  return dock;
+}
+
 /// Puts a list behind the list of series, out of sight until its key or entry brings it to the front.
 void addList(QMainWindow& window, QDockWidget& series, QDockWidget& dock, const QString& key) {
   window.tabifyDockWidget(&series, &dock);
@@ -44,6 +54,20 @@ void addList(QMainWindow& window, QDockWidget& series, QDockWidget& dock, const 
       if (dock.width() < wanted) window.resizeDocks({&dock}, {wanted}, Qt::Horizontal);
     });
   });
+}
+
+void addLists(QMainWindow& window, Panels& panels) {
+  const auto add = [&window](const QString& title, const char* name, QWidget* panel) {
+    return addDock(window, Qt::LeftDockWidgetArea, title, name, panel);
+  };
+  panels.seriesDock = add(PanelsWords::tr("Series"), "seriesDock", panels.series);
+  panels.seriesDock->hide();
+  addList(window, *panels.seriesDock, *add(PanelsWords::tr("DICOM tags"), "tagsDock", panels.tags),
+          PanelsWords::tr("Ctrl+T"));
+  addList(window, *panels.seriesDock, *add(PanelsWords::tr("Label table"), "labelTableDock", panels.labelTable),
+          PanelsWords::tr("Ctrl+Shift+T"));
+  addList(window, *panels.seriesDock, *add(PanelsWords::tr("Key images"), "keyImagesDock", panels.keyImages),
+          PanelsWords::tr("Ctrl+Shift+D"));
 }
 
 }  // namespace
@@ -64,14 +88,8 @@ Panels makePanels(QMainWindow& window, Workspace& workspace) {
                 .heights = nullptr,
                 .seriesDock = nullptr,
                 .folding = nullptr};
-  const auto add = [&window](const QString& title, const char* name, QWidget* panel,
-                             Qt::DockWidgetArea area = Qt::RightDockWidgetArea) {
-    auto* dock = new QDockWidget(title);
-    dock->setObjectName(QLatin1String(name));
-    dock->setFeatures(QDockWidget::DockWidgetMovable | QDockWidget::DockWidgetClosable);
-    dock->setWidget(panel);
-    window.addDockWidget(area, dock);
-    return dock;
+  const auto add = [&window](const QString& title, const char* name, QWidget* panel) {
+    return addDock(window, Qt::RightDockWidgetArea, title, name, panel);
   };
   window.setTabPosition(Qt::LeftDockWidgetArea | Qt::RightDockWidgetArea, QTabWidget::North);
   auto* focusScroller = new ScrollingPanel;  // a grown region adds rows, for which the window must not grow
@@ -97,17 +115,7 @@ Panels makePanels(QMainWindow& window, Workspace& workspace) {
   cutawayScroller->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
   QDockWidget* cutaway = add(PanelsWords::tr("Cutaway"), "cutawayDock", cutawayScroller);
   window.resizeDocks({focus}, {310}, Qt::Horizontal);
-  panels.seriesDock = add(PanelsWords::tr("Series"), "seriesDock", panels.series, Qt::LeftDockWidgetArea);
-  panels.seriesDock->hide();
-  addList(window, *panels.seriesDock,
-          *add(PanelsWords::tr("DICOM tags"), "tagsDock", panels.tags, Qt::LeftDockWidgetArea),
-          PanelsWords::tr("Ctrl+T"));
-  addList(window, *panels.seriesDock,
-          *add(PanelsWords::tr("Label table"), "labelTableDock", panels.labelTable, Qt::LeftDockWidgetArea),
-          PanelsWords::tr("Ctrl+Shift+T"));
-  addList(window, *panels.seriesDock,
-          *add(PanelsWords::tr("Key images"), "keyImagesDock", panels.keyImages, Qt::LeftDockWidgetArea),
-          PanelsWords::tr("Ctrl+Shift+D"));
+  addLists(window, panels);
   // The list of structures takes the remaining height.
   panels.heights = new DockHeights(window, {focus, context, cutaway});
   const QList<QDockWidget*> docks = window.findChildren<QDockWidget*>();

@@ -161,7 +161,7 @@ CID100_QuantitativeDiagnosticImagingProcedures procedureOf(Modality modality) {
 void readOriginOf(const Measures& measures, const std::vector<fs::path>& series, Origin& origin, const fs::path& file) {
   if (measures.labels.empty() && measures.drawn.empty())
     throw Error(file, "would be empty: there is no label with voxels, and no measure",
-                "name a label map with --labels, or a session with measures");
+                "open a label map with it, or a session with measures");
   if (series.empty()) throw Error(file, "would be about no DICOM series", "measure a DICOM series");
   readOrigin(measures.labels.empty() ? series.front() : measures.segmentation, origin);
   if (!measures.drawn.empty() && origin.frameOfReference.empty())
