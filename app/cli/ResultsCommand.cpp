@@ -82,9 +82,8 @@ Json reportMeasures(const io::Study& study, const ReportOptions& options) {
   measures.labels = measuredLabels(study, options);
   measures.modality = study.scene.volume->modality;
   measures.unit = study.scene.volume->unit;
-  if (options.data.session)
-    for (const Measure& measure : options.data.session->measures)
-      measures.drawn.push_back({measure, valuesOf(measure, *study.scene.volume)});
+  for (const Measure& measure : study.session.measures)
+    measures.drawn.push_back({measure, valuesOf(measure, *study.scene.volume)});
   const std::vector<fs::path>& series = seriesOf(study, options);
   if (!measures.labels.empty()) {
     measures.segmentation = options.segments;

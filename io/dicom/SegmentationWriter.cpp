@@ -111,6 +111,20 @@ void removePatient(DcmDataset& dataset) {
     dataset.findAndDeleteElement(tag);
 }
 
+/// Removes dates, ages, numbers and codes that break their VR, such as an age of "0Y": DCMTK would refuse the copy, and
+/// so might a reader.
+void removeIllFormed(DcmDataset& dataset) {
+  std::vector<DcmTagKey> illFormed;
+  for (unsigned long i = 0; i < dataset.card(); ++i) {
+    DcmElement* element = dataset.getElement(i);
+    const DcmEVR vr = element->getVR();
+    if (vr != EVR_AS && vr != EVR_DA && vr != EVR_TM && vr != EVR_DT && vr != EVR_DS && vr != EVR_IS && vr != EVR_CS)
+      continue;
+    if (element->checkValue("1-n") == EC_ValueRepresentationViolated) illFormed.push_back(element->getTag());
+  }
+  for (const DcmTagKey& tag : illFormed) dataset.findAndDeleteElement(tag);
+}
+
 /// Patient, study and frame of reference, of the first file of the series or new.
 void describeOrigin(DcmSegmentation& document, const SegmentationOrigin& origin, const fs::path& file) {
   if (!origin.series.empty()) {
@@ -120,6 +134,7 @@ void describeOrigin(DcmSegmentation& document, const SegmentationOrigin& origin,
     // Names of segments are UTF-8, so everything is.
     dataset.convertToUTF8();
     if (!origin.namesPatient) removePatient(dataset);
+    removeIllFormed(dataset);
     require(document.importFromSourceImage(dataset), file, "patient and study");
     if (textOf(dataset, DCM_LossyImageCompression) == "01")
       document.setLossyImageCompressionFlag(textOf(dataset, DCM_LossyImageCompressionRatio).c_str(),
@@ -182,9 +197,12 @@ void addFrame(DcmSegmentation& document, std::vector<Uint8>& pixels, std::size_t
       OFVector<ImageSOPInstanceReferenceMacro> references;
       references.push_back(*reference);
       derivation.reset(DcmSegmentation::createDerivationImageFG(references, "Segmentation"));
-      if (derivation) groups.push_back(derivation.get());
     }
+  } else if (!source.series.empty()) {
+    // Interpolated between the slices: the group, which the other frames have, is there and empty.
+    derivation = std::make_unique<FGDerivationImage>();
   }
+  if (derivation) groups.push_back(derivation.get());
   require(document.addFrame(pixels.data(), static_cast<Uint16>(segment), groups), file, "a frame");
 }
 

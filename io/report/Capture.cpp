@@ -14,9 +14,9 @@ void copyStudy(DcmDataset& from, DcmDataset& to) {
   for (const DcmTagKey& tag : {DCM_PatientName, DCM_PatientID, DCM_PatientBirthDate, DCM_PatientSex, DCM_StudyDate,
                                DCM_StudyTime, DCM_ReferringPhysicianName, DCM_StudyID, DCM_AccessionNumber})
     if (from.findAndInsertCopyOfElement(tag, &to).bad()) to.insertEmptyElement(tag);
-  for (const DcmTagKey& tag : {DCM_StudyInstanceUID, DCM_IssuerOfPatientID, DCM_StudyDescription, DCM_PatientAge,
-                               DCM_PatientSize, DCM_PatientWeight, DCM_PatientIdentityRemoved,
-                               DCM_DeidentificationMethod, DCM_DeidentificationMethodCodeSequence})
+  for (const DcmTagKey& tag :
+       {DCM_StudyInstanceUID, DCM_IssuerOfPatientID, DCM_StudyDescription, DCM_PatientIdentityRemoved,
+        DCM_DeidentificationMethod, DCM_DeidentificationMethodCodeSequence})
     from.findAndInsertCopyOfElement(tag, &to);
 }
 
@@ -78,6 +78,7 @@ void writeCapture(const Capture& capture, const std::vector<fs::path>& series, c
   put(DCM_SeriesInstanceUID, newUid());
   put(DCM_Modality, "OT");
   put(DCM_ConversionType, "WSD");  // of a workstation
+  put(DCM_Laterality, "");         // unknown, and required where the body part may be one of a pair
   put(DCM_SeriesNumber, "1003");
   put(DCM_InstanceNumber, "1");
   put(DCM_SeriesDescription, longString(capture.description.empty() ? "Picture" : capture.description));

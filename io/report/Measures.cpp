@@ -191,8 +191,10 @@ void writeMeasures(const Measures& measures, const std::vector<fs::path>& series
   addDrawn(report, measures, file);
   if (!report.isValid())
     throw Error(file, "cannot be made: it breaks the template of measurement reports", "please report it");
-  DSRDocument document(DSRTypes::DT_Comprehensive3DSR);
+  DSRDocument document;
   require(document.setTreeFromRootTemplate(report), file, "its tree");
+  // The template makes it an Enhanced SR, which has no points in space.
+  require(document.changeDocumentType(DSRTypes::DT_Comprehensive3DSR), file, "its kind");
   beginDocument(document, origin, "Measurements", "1001", file);
   addPoints(document.getTree(), measures, origin.frameOfReference, file);
   if (!measures.labels.empty())
