@@ -43,6 +43,13 @@ def wait_for(what, found):
     sys.exit(1)
 
 
+def desktop():
+    """As it is now: a program that was asked before its window was there would stay without one in the cache."""
+    found = pyatspi.Registry.getDesktop(0)
+    found.clearCache()
+    return found
+
+
 def below(node):
     """All that is told of a window, but the cells of lists, of which there may be thousands."""
     yield node
@@ -72,8 +79,8 @@ environment = dict(os.environ, QT_LINUX_ACCESSIBILITY_ALWAYS_ON="1", XDG_CONFIG_
                    HOME=scratch.name)
 started = subprocess.Popen([program, "--phantom", "torso", "--language", language], env=environment)
 try:
-    app = wait_for("the window", lambda: next((each for each in pyatspi.Registry.getDesktop(0)
-                                               if each and each.name == "Fenestra" and each.childCount), None))
+    app = wait_for("the window", lambda: next((each for each in desktop() if each and each.name == "Fenestra"
+                                               and each.childCount), None))
     tick = wait_for(texts["tick"], lambda: named(app, texts["tick"], "check box"))
     wait_for("enabled controls", lambda: tick.getState().contains(pyatspi.STATE_ENABLED))
 
