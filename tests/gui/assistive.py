@@ -23,7 +23,7 @@ texts = {
     "de": {"tick": "Kontext um den Fokus öffnen", "slider": "Öffnung", "choice": "Adaptiver Freischnitt", "tab": "Beschnitt", "in tab": "Auf einen Quader zuschneiden",
            "menu": "Einstellungen…", "dialog": "Einstellungen", "list": "Strukturen", "slice": "Axial"},
 }[language]
-patience = 120  # s; reached only when something is missing
+patience = 600  # s; reached only when something is missing, however busy the machine is
 interactive = {"push button", "check box", "radio button", "toggle button", "combo box", "slider", "spin button", "text",
                "tree", "list", "table", "tree table", "page tab", "menu item", "menu", "link"}
 flaws = []
