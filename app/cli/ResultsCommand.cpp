@@ -113,11 +113,11 @@ Json reportSegmentation(const io::Study& study, const ReportOptions& options) {
 std::vector<std::string> alterations(const io::Study& study) {
   std::vector<std::string> sentences;
   for (const io::Warning& warning : study.warnings) {
-    using Of = io::Warning::Kind;
+    using Kind = io::Warning::Kind;
     const bool isGeometry =
         study.geometry && std::find(study.geometry->findings.begin(), study.geometry->findings.end(), warning) !=
                               study.geometry->findings.end();
-    if (isGeometry || warning.kind == Of::DamagedPixels || warning.kind == Of::PrecisionLoss)
+    if (isGeometry || warning.kind == Kind::DamagedPixels || warning.kind == Kind::PrecisionLoss)
       sentences.push_back(warning.text);
   }
   return sentences;

@@ -4,11 +4,15 @@
 #include <map>
 #include <set>
 
+#include <dcmtk/config/osconfig.h>
+#include <dcmtk/dcmdata/dctk.h>
+
 #include "io/ImageWriter.h"
 #include "io/LabelReader.h"
 #include "io/LabelWriter.h"
 #include "io/VolumeReader.h"
 #include "io/session/SessionFile.h"
+#include "io/study/SessionData.h"
 #include "rendering/volume/LabelStatistics.h"
 #include "tests/cli/CommandLine.h"
 #include "tests/io/DicomWriter.h"
@@ -72,7 +76,7 @@ class ReportCommand : public CommandLine {
   /// Writes `everyKind`; the report is about labels and drawn measures.
   void writeEveryKind(const std::string& series, const std::string& labels) const {
     io::Session session;
-    session.volume.path = series;
+    session.volume = io::sessionVolume(series, io::openVolume(series));
     const glm::dvec3 a(labels_.grid.worldFromIndex() * glm::dvec4(1, 1, 1, 1)),
         b(labels_.grid.worldFromIndex() * glm::dvec4(9, 6, 1, 1)),
         c(labels_.grid.worldFromIndex() * glm::dvec4(1, 9, 1, 1));
@@ -81,11 +85,9 @@ class ReportCommand : public CommandLine {
                         {MeasureKind::Angle, {b, a, c}, right, down},
                         {MeasureKind::Ellipse, {a, b}, right, down},
                         {MeasureKind::Rectangle, {a, b}, right, down}};
+    io::noteContents(session);
     io::writeSession(at("work.fenestra"), session);
     report({"measures", at("work.fenestra"), "--labels", at(labels), "-o", at("all.dcm")});
-    writeOtherKinds(series);
-  }
-  void writeOtherKinds(const std::string& series) const {
     report({"capture", series, "--picture", at("picture.png"), "-o", at("picture.dcm")});
     report({"keys", series, "--slices", "1,3", "--description", "why", "-o", at("keys.dcm")});
   }
@@ -229,12 +231,33 @@ TEST_F(ReportCommand, DciodvfyAcceptsEveryKind) {
   EXPECT_EQ(errorsOf("dciodvfy", everyKind), "");
   report({"capture", "--phantom", "torso", "--picture", at("picture.png"), "-o", at("alone.dcm")});
   EXPECT_EQ(errorsOf("dciodvfy", {"alone.dcm"}), "");
+}
+
+TEST_F(ReportCommand, DciodvfyAcceptsEveryKindOfASeriesWithFlaws) {
+  if (!isInstalled("dciodvfy")) GTEST_SKIP() << "needs dciodvfy, of the package dicom3tools";
+  io::writePng(at("picture.png"), {2, 1}, 3, std::vector<std::uint8_t>{1, 2, 3, 4, 5, 6});
+  // A plane is interpolated where a slice is missing, and no image is its source; "0Y" is no age.
+  fs::remove(source_ / "2.dcm");
+  for (const auto& slice : fs::directory_iterator(source_)) {
+    DcmFileFormat file;
+    ASSERT_TRUE(file.loadFile(OFFilename(slice.path().c_str())).good());
+    file.getDataset()->putAndInsertString(DCM_PatientAge, "0Y");
+    ASSERT_TRUE(file.saveFile(OFFilename(slice.path().c_str())).good());
+  }
+  writeLabelsOn(source_, "labels.nrrd");
+  ASSERT_EQ(labels_.grid.dims.z, 5) << "the missing plane is filled";
+  writeEveryKind(at("in"), "labels.nrrd");
+  EXPECT_EQ(errorsOf("dciodvfy", everyKind), "");
+}
+
+TEST_F(ReportCommand, DciodvfyAcceptsEveryKindOfRealSeries) {
+  if (!isInstalled("dciodvfy")) GTEST_SKIP() << "needs dciodvfy, of the package dicom3tools";
   FENESTRA_TEST_DATA_OR_SKIP(data, "dicom");
+  io::writePng(at("picture.png"), {2, 1}, 3, std::vector<std::uint8_t>{1, 2, 3, 4, 5, 6});
   for (const char* name : {"ct-missing-slice", "ct-tiny-uniform", "enhanced/emri_small.dcm"}) {
     SCOPED_TRACE(name);
     writeLabelsOn(data / name, "real.nrrd");
-    report({"measures", (data / name).string(), "--labels", at("real.nrrd"), "-o", at("all.dcm")});
-    writeOtherKinds((data / name).string());
+    writeEveryKind((data / name).string(), "real.nrrd");
     EXPECT_EQ(errorsOf("dciodvfy", everyKind), "");
   }
 }
