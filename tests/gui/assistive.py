@@ -31,15 +31,20 @@ flaws = []
 
 def wait_for(what, found):
     end = time.monotonic() + patience
+    last = None
     while time.monotonic() < end:
+        if started.poll() is not None:
+            print(f"the program ended with {started.returncode} before there was {what}")
+            sys.exit(1)
         try:
             result = found()
             if result:
                 return result
-        except Exception:  # the tree changes while it is read
-            pass
+        except Exception as error:  # the tree changes while it is read
+            last = error
         time.sleep(0.2)
-    print(f"not found: {what}")
+    print(f"not found: {what}; last error: {last!r}")
+    print("on the desktop:", [(each.name, each.childCount) for each in desktop() if each])
     sys.exit(1)
 
 
