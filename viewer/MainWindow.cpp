@@ -16,6 +16,7 @@
 #include "rendering/gpu/FocusIndexing.h"
 #include "rendering/scene/VisibleFraming.h"
 #include "rendering/segmentation/Couch.h"
+#include "rendering/settings/FlatStack.h"
 #include "viewer/DockFolding.h"
 #include "viewer/DockHeights.h"
 #include "viewer/StudyNotices.h"
@@ -201,9 +202,9 @@ void MainWindow::followVolume() {
   workspace_.cursor.setGrid(grid);
   focusSearch_.cancel();
   if (study.focusCentre) workspace_.cursor.moveTo(*study.focusCentre);
-  cameras.place(study.view
-                    ? study.view->camera
-                    : Camera::standard(StandardView::Anterior, study.visible.value_or(grid), cameras.projection()));
+  const Camera first =
+      study.view ? study.view->camera : firstCamera(grid, study.visible.value_or(grid), cameras.projection());
+  cameras.place({first, secondCamera(first, grid)});
 }
 
 void MainWindow::open(StudyLoader::Reader read) { loader_.open(std::move(read)); }

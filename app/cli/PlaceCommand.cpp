@@ -48,7 +48,7 @@ Json scanJson(const ScanShape& scan) {
   for (std::size_t f = 0; f < scan.faces.size(); ++f)
     ends[std::string(1, "LPSRAI"[f])] = {
         {"cut", scan.faces[f].cut}, {"contact", scan.faces[f].contact}, {"behind", scan.faces[f].behind}};
-  return {{"ends", ends}, {"flatness", scan.flatness}, {"front", listOf(scan.front)}, {"offset", listOf(scan.offset)}};
+  return {{"ends", ends}, {"flatness", scan.stack.flatness}, {"front", listOf(scan.stack.front)}, {"offset", listOf(scan.offset)}};
 }
 
 Json cameraJson(const Measured& measured, std::optional<std::size_t> index, const Options& by, const Framing& framed,

@@ -4,6 +4,7 @@
 #include "io/study/PhantomView.h"
 #include "io/study/Study.h"
 #include "io/study/StudyRequest.h"
+#include "rendering/settings/FlatStack.h"
 
 namespace fenestra::io {
 namespace {
@@ -23,6 +24,10 @@ CameraFile cameraOf(const CameraChoice& choice, const StudyRequest& request, Stu
     return {Camera::standard(*view, framing, projection), glm::ivec2(0)};
   const auto& angles = std::get<ViewAngles>(choice);
   return {Camera::fromAngles(angles.azimuth, angles.elevation, framing, projection), glm::ivec2(0)};
+}
+
+Camera unchosenCamera(const StudyRequest& request, Study& study) {
+  return firstCamera(study.scene.volume->grid, visibleOf(study), request.projection.value_or(Projection::Perspective));
 }
 
 const SessionView* sessionView(const StudyRequest& request, const Study& study) {
@@ -45,13 +50,14 @@ void setCamera(const StudyRequest& request, Study& study) {
     return;
   }
   const bool plainPhantom = !request.phantom.empty() && request.focusLabels.empty() && !request.focusRange;
-  CameraChoice choice = request.camera.value_or(plainPhantom ? CameraChoice(phantomView(request.phantom).camera)
-                                                             : CameraChoice(StandardView::Anterior));
-  if (const auto* placed = std::get_if<PlacedView>(&choice)) {
+  std::optional<CameraChoice> choice = request.camera;
+  if (!choice && plainPhantom) choice = phantomView(request.phantom).camera;
+  if (const auto* placed = choice ? std::get_if<PlacedView>(&*choice) : nullptr) {
     study.placed = *placed;
-    choice = StandardView::Anterior;
+    choice.reset();
   }
-  const CameraFile chosen = cameraOf(choice, request, study);
+  const CameraFile chosen =
+      choice ? cameraOf(*choice, request, study) : CameraFile{.camera = unchosenCamera(request, study)};
   view.camera = chosen.camera;
   if (chosen.size.x > 0) view.size = chosen.size;
   view.size = request.size.value_or(view.size);

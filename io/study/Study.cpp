@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "rendering/scene/VisibleFraming.h"
+#include "rendering/settings/FlatStack.h"
 
 namespace fenestra::io {
 
@@ -30,7 +31,7 @@ Session sessionOf(const Study& study) {
   session.crosshair = shown.slices.crosshair;
   session.window = shown.slices.window;
   session.inverted = shown.slices.inverted;
-  if (!study.restoresSession) session.views[1].camera = shown.camera.beside();
+  if (!study.restoresSession) session.views[1].camera = secondCamera(shown.camera, study.scene.volume->grid);
   SessionView& view = session.views[static_cast<std::size_t>(study.viewIndex)];
   if (shown.camera != shownCamera(view, shown.size)) view = {.camera = shown.camera, .fitsWidth = false};
   view.size = shown.size;

@@ -11,10 +11,6 @@ namespace {
 constexpr int mostSamples = 32;        ///< along an axis
 constexpr double solidValue = -500.0;  ///< HU
 constexpr double thinShare = 0.02;     ///< of the body's greatest layer: one of less is a nose, a wire or noise
-constexpr double flatShare = 0.125, solidShare = 1.0 / 3.0;
-constexpr double fewSlices = 3.0, manySlices = 6.0;
-/// A stack of few slices has at least this many times as many rows and columns: a small cube is none.
-constexpr int leastAcross = 4;
 
 double ramp(double value, double from, double to) { return std::clamp((value - from) / (to - from), 0.0, 1.0); }
 
@@ -135,50 +131,34 @@ void findOffset(ScanShape& shape, const Grid& grid, const Body& body, const Laye
   }
 }
 
-void findFront(ScanShape& shape, const Grid& grid, const CropFrame& frame) {
-  const glm::dvec3 extent = frame.high - frame.low;
-  const glm::ivec3 counts(grid.dims[frame.axis[0]], grid.dims[frame.axis[1]], grid.dims[frame.axis[2]]);
-  for (int axis = 0; axis < 3; ++axis) {
-    const int second = (axis + 1) % 3, third = (axis + 2) % 3;
-    const double share = extent[axis] / std::min(extent[second], extent[third]);
-    double thinness = 1.0 - ramp(share, flatShare, solidShare);
-    if (leastAcross * counts[axis] <= std::min(counts[second], counts[third]))
-      thinness = std::max(thinness, 1.0 - ramp(counts[axis], fewSlices, manySlices));
-    if (thinness * thinness <= shape.flatness) continue;
-    shape.flatness = thinness * thinness;
-    // The faces towards L, A and I.
-    shape.front = shape.faces[axis == 0 ? 0 : static_cast<std::size_t>(axis) + 3].normal;
-  }
-}
-
 }  // namespace
 
 double ScanShape::throughCutEnd(glm::dvec3 direction) const {
   double sum = 0.0;
   for (const Face& face : faces) {
     const double cosine = std::max(0.0, glm::dot(direction, face.normal));
-    const bool isOfStack = face.normal == front || face.normal == -front;
-    sum += face.cut * (isOfStack ? 1.0 - flatness : 1.0) * cosine * cosine;
+    const bool isOfStack = face.normal == stack.front || face.normal == -stack.front;
+    sum += face.cut * (isOfStack ? 1.0 - stack.flatness : 1.0) * cosine * cosine;
   }
   return std::min(sum, 1.0);
 }
 
 double ScanShape::edgeOn(glm::dvec3 direction) const {
-  const double cosine = std::max(0.0, glm::dot(direction, front));
-  return flatness * std::max(0.0, 1.0 - cosine * cosine);
+  const double cosine = std::max(0.0, glm::dot(direction, stack.front));
+  return stack.flatness * std::max(0.0, 1.0 - cosine * cosine);
 }
 
 double ScanShape::farSide(glm::dvec3 direction) const { return std::clamp(-glm::dot(direction, offset), 0.0, 1.0); }
 
 ScanShape scanShape(const ShownVolume& shown, const std::vector<HalfSpace>& kept, std::span<const glm::dvec3> focus) {
-  ScanShape shape;
   const Grid& grid = shown.volume->grid;
   const CropFrame frame(grid);
+  ScanShape shape;
+  shape.stack = flatStack(frame, grid);
   const Body body(shown, kept);
   const Layers layers = body.layers();
   findCuts(shape, grid, frame, body, layers, focus);
   findOffset(shape, grid, body, layers, focus);
-  findFront(shape, grid, frame);
   return shape;
 }
 

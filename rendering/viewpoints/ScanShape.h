@@ -19,11 +19,6 @@
 // leave the field of view of a trunk (0.14 to 0.21) count where the focus is behind them. A nose or a vertex that
 // touches the face stays below 0.05. The least cut of the six faces is subtracted from all, so that a piece from the
 // middle of a body, of which no face is better than another, has no cut end.
-//
-// A volume is flat where its extent along one axis is a small share of the next one: wholly from an eighth on, not at
-// all from a third on; or where it has three slices or fewer, fading out to six. In between, flatness falls as a
-// square, so that a thick slab is hardly flat. Its front is the side from which a slice view shows its slices: axial
-// ones from below, coronal ones from the front, sagittal ones from the left.
 
 #include <array>
 #include <span>
@@ -32,6 +27,7 @@
 
 #include "rendering/scene/ShownVolume.h"
 #include "rendering/settings/Clipping.h"
+#include "rendering/settings/FlatStack.h"
 
 namespace fenestra::placement {
 
@@ -45,8 +41,7 @@ struct ScanShape {
   };
   /// Towards L, P, S, then R, A, I, as CropFrame names the volume's axes.
   std::array<Face, 6> faces;
-  double flatness = 0.0;  ///< from 0 to 1
-  glm::dvec3 front{0.0};  ///< unit, world, towards a camera in front of a flat volume; 0 where flatness is 0
+  FlatStack stack;
   /// World: the way from the body's middle to the focus's, along each axis of the volume as a share of half the body's
   /// extent, from -1 to 1.
   glm::dvec3 offset{0.0};

@@ -11,6 +11,7 @@
 #include <QSettings>
 #include <QSignalSpy>
 
+#include "rendering/settings/FlatStack.h"
 #include "tests/support/TestData.h"
 #include "viewer/model/ActiveTool.h"
 #include "viewer/model/Document.h"
@@ -71,7 +72,8 @@ io::Study study() {
 TEST(ViewLink, SecondCameraStandsAQuarterTurnToThePatientsLeft) {
   ViewLink link;
   const Grid grid = cube();
-  link.place(Camera::standard(StandardView::Anterior, grid));
+  const Camera first = Camera::standard(StandardView::Anterior, grid);
+  link.place({first, secondCamera(first, grid)});
   expectNear(link.camera(1).axes().forward, {-1, 0, 0});
   expectNear(link.camera(1).axes().up, {0, 0, 1});
   expectNear(link.camera(1).target, grid.centre());
@@ -79,7 +81,8 @@ TEST(ViewLink, SecondCameraStandsAQuarterTurnToThePatientsLeft) {
 
 TEST(ViewLink, SecondCameraIsUprightAndOrthogonalForAnObliqueFirst) {
   ViewLink link;
-  link.place(Camera::fromAngles(50.0, 20.0, cube()));
+  const Camera first = Camera::fromAngles(50.0, 20.0, cube());
+  link.place({first, secondCamera(first, cube())});
   EXPECT_NEAR(glm::dot(link.camera(0).axes().forward, link.camera(1).axes().forward), 0.0, tolerance);
   EXPECT_NEAR(link.camera(1).axes().right.z, 0.0, tolerance);
 }

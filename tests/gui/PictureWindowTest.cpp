@@ -189,8 +189,8 @@ TEST_F(PictureWindow, ATurntableTurnsOnceRound) {
   EXPECT_EQ(frames[0], load(folder_ / "front.png"));
   for (std::size_t i = 1; i < frames.size(); ++i) EXPECT_GT(meanDifference(frames[i], frames[0]), 1.0) << i;
   // Two turns of a quarter by hand are the third picture.
-  const Camera camera = cameras().camera(0);
-  cameras().place(camera.orbited(std::numbers::pi, 0.0));
+  const Camera behind = cameras().camera(0).orbited(std::numbers::pi, 0.0);
+  cameras().place({behind, behind.beside()});
   waitUntilDrawn();
   pictures().writePicture(folder_ / "back.png", request);
   waitUntilWritten();

@@ -91,7 +91,8 @@ class Placement : public testing::Test {
   void SetUp() override {
     placement_.setBackend(std::make_unique<FakeBackend>(log_));
     document_.open(study());
-    cameras_.place(Camera::standard(StandardView::Anterior, document_.scene().volume->grid));
+    const Grid& grid = document_.scene().volume->grid;
+    cameras_.place({Camera::standard(StandardView::Anterior, grid), Camera::standard(StandardView::Left, grid)});
   }
 
   bool arrive() {
@@ -304,7 +305,7 @@ TEST(Flight, TurnsEvenlyEndsExactlyAndStopsAtATouch) {
   EXPECT_EQ(between(from, to, 1.0), to);
 
   ViewLink link;
-  link.place(from);
+  link.place({from, from.beside()});
   const ViewLink::Pair goal{to, Camera::standard(StandardView::Superior, grid)};
   link.flyTo(goal, goal);
   QSignalSpy landed(&link, &ViewLink::landed);
@@ -322,7 +323,7 @@ TEST(Flight, CanBeFinishedAndTurnedOff) {
   const Grid grid{.dims = glm::ivec3(10), .spacing = glm::dvec3(2.0)};
   const Camera from = Camera::standard(StandardView::Anterior, grid), to = Camera::standard(StandardView::Left, grid);
   ViewLink link;
-  link.place(from);
+  link.place({from, from.beside()});
   link.flyTo({to, from}, {to, from});
   EXPECT_TRUE(link.isFlying());
   QSignalSpy landed(&link, &ViewLink::landed);

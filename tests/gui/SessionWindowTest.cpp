@@ -125,7 +125,8 @@ TEST_F(SessionWindow, CamerasStandWhereTheyStood) {
   cameras().zoom(0, 1.7);
   const ViewLink::Pose pose = cameras().pose();
   save(file_);
-  cameras().place(Camera::standard(StandardView::Posterior, document().scene().volume->grid));
+  const Camera posterior = Camera::standard(StandardView::Posterior, document().scene().volume->grid);
+  cameras().place({posterior, posterior.beside()});
   ASSERT_NE(cameras().pose(), pose);
   open(file_);
   EXPECT_EQ(cameras().pose(), pose);

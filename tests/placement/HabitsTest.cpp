@@ -172,9 +172,9 @@ TEST(Habits, AtEqualWorthCamerasLookFromAroundThePatient) {
 TEST(Habits, AThinStackIsSeenFromItsFront) {
   // Edge-on, all of the surface shows: from the front, next to nothing.
   ScanShape stack = scanOf({});
-  stack.flatness = 1.0;
+  stack.stack.flatness = 1.0;
   for (const glm::dvec3 front : {glm::dvec3(0, 0, -1), glm::dvec3(0, -1, 0), glm::dvec3(1, 0, 0)}) {
-    stack.front = front;
+    stack.stack.front = front;
     const Measured measured =
         measuredOf(stack, [&](glm::dvec3 d) { return 0.9 * (1.0 - std::abs(glm::dot(d, front))); });
     for (const bool joint : {false, true}) {
@@ -193,8 +193,8 @@ TEST(Habits, SwitchedOffTheyLeaveThePlacementAsItWas) {
   std::uniform_real_distribution<double> uniform(0.0, 1.0);
   for (int round = 0; round < 20; ++round) {
     ScanShape scan = scanOf({1, 0, 1, 0.5, 0, 0.7});
-    scan.flatness = 0.4;
-    scan.front = {0, -1, 0};
+    scan.stack.flatness = 0.4;
+    scan.stack.front = {0, -1, 0};
     Measured measured = measuredOf(scan, [&](glm::dvec3) { return uniform(random); });
     Measured unaware = measured;
     for (Candidate& candidate : unaware.candidates) candidate.descriptors.awkwardness = {};

@@ -126,22 +126,22 @@ TEST(ScanShape, AThinStackIsFlatAndItsFrontIsWhereSlicesAreSeenFrom) {
     glm::ivec3 dims(40);
     dims[axis] = 3;
     const ScanShape shape = shapeOf(gridOf(dims, glm::dvec3(5.0)), isBody);
-    EXPECT_EQ(shape.flatness, 1.0);
-    EXPECT_EQ(shape.front, fronts[axis]);
-    EXPECT_EQ(shape.edgeOn(shape.front), 0.0);
-    EXPECT_EQ(shape.edgeOn(-shape.front), 1.0);
+    EXPECT_EQ(shape.stack.flatness, 1.0);
+    EXPECT_EQ(shape.stack.front, fronts[axis]);
+    EXPECT_EQ(shape.edgeOn(shape.stack.front), 0.0);
+    EXPECT_EQ(shape.edgeOn(-shape.stack.front), 1.0);
     EXPECT_EQ(shape.edgeOn(fronts[(axis + 1) % 3]), 1.0);
   }
   // Three slices far apart, and many close together.
-  EXPECT_EQ(shapeOf(gridOf({40, 40, 3}, {1.0, 1.0, 8.0}), isBody).flatness, 1.0);
-  EXPECT_EQ(shapeOf(gridOf({40, 40, 20}, {1.0, 1.0, 0.2}), isBody).flatness, 1.0);
-  EXPECT_EQ(shapeOf(gridOf({40, 40, 20}), isBody).flatness, 0.0);
-  EXPECT_EQ(shapeOf(gridOf({8, 8, 3}), isBody).flatness, 0.0);   // a small box, no stack
-  EXPECT_EQ(shapeOf(gridOf({6, 6, 40}), isBody).flatness, 0.0);  // a rod
+  EXPECT_EQ(shapeOf(gridOf({40, 40, 3}, {1.0, 1.0, 8.0}), isBody).stack.flatness, 1.0);
+  EXPECT_EQ(shapeOf(gridOf({40, 40, 20}, {1.0, 1.0, 0.2}), isBody).stack.flatness, 1.0);
+  EXPECT_EQ(shapeOf(gridOf({40, 40, 20}), isBody).stack.flatness, 0.0);
+  EXPECT_EQ(shapeOf(gridOf({8, 8, 3}), isBody).stack.flatness, 0.0);   // a small box, no stack
+  EXPECT_EQ(shapeOf(gridOf({6, 6, 40}), isBody).stack.flatness, 0.0);  // a rod
   // In between, it grows smoothly.
   double before = 1.0;
   for (int slices = 5; slices < 14; ++slices) {
-    const double flatness = shapeOf(gridOf({40, 40, slices}), isBody).flatness;
+    const double flatness = shapeOf(gridOf({40, 40, slices}), isBody).stack.flatness;
     EXPECT_LE(flatness, before);
     EXPECT_LE(before - flatness, 0.5);
     before = flatness;

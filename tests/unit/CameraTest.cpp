@@ -1,4 +1,4 @@
-#include "rendering/settings/Camera.h"
+#include "rendering/settings/FlatStack.h"
 
 #include <gtest/gtest.h>
 
@@ -188,6 +188,42 @@ TEST(Camera, zoomAndPan) {
   Camera parallel = camera;
   parallel.projection = Projection::Orthographic;
   EXPECT_EQ(parallel.zoomed(2.0).eye, parallel.eye);
+}
+
+TEST(Camera, AFlatVolumeIsFirstSeenFromWhereItsSlicesAre) {
+  const Projection projection = Projection::Perspective;
+  const glm::dvec3 left(1, 0, 0), anterior(0, -1, 0), inferior(0, 0, -1);
+  const struct {
+    glm::dvec3 front, aside, up, upAside;
+  } expected[] = {{left, anterior, -inferior, -inferior},
+                  {anterior, left, -inferior, -inferior},
+                  {inferior, anterior, anterior, -inferior}};
+  for (int axis = 0; axis < 3; ++axis) {
+    glm::ivec3 dims(40);
+    dims[axis] = 3;
+    const Grid grid = gridOf(dims);
+    const Camera first = firstCamera(grid, grid, projection), second = secondCamera(first, grid);
+    expectNear(-first.axes().forward, expected[axis].front, rounding);
+    expectNear(first.up, expected[axis].up, rounding);
+    expectNear(-second.axes().forward, glm::normalize(expected[axis].front + expected[axis].aside), rounding);
+    expectNear(second.up, expected[axis].upAside, rounding);
+    expectOrthonormal(second);
+    EXPECT_EQ(second.target, first.target);
+    EXPECT_NEAR(glm::distance(second.eye, second.target), glm::distance(first.eye, first.target), rounding * 1e3);
+    // A view that somebody chose has its partner beside it.
+    const Camera chosen = Camera::fromAngles(30.0, 20.0, grid);
+    EXPECT_EQ(secondCamera(chosen, grid), chosen.beside());
+  }
+}
+
+TEST(Camera, AVolumeThatIsNotFlatIsFirstSeenFromTheFrontAndTheLeft) {
+  for (const glm::ivec3 dims : {glm::ivec3(40), glm::ivec3(40, 40, 20), glm::ivec3(8, 8, 3)}) {
+    const Grid grid = gridOf(dims);
+    const Camera first = firstCamera(grid, grid, Projection::Orthographic);
+    EXPECT_EQ(first, Camera::standard(StandardView::Anterior, grid, Projection::Orthographic));
+    EXPECT_EQ(secondCamera(first, grid), first.beside());
+    expectNear(-first.beside().axes().forward, {1, 0, 0}, rounding);
+  }
 }
 
 }  // namespace

@@ -94,8 +94,8 @@ void ViewLink::setLinked(bool linked) {
   Q_EMIT linkedChanged(linked);
 }
 
-void ViewLink::place(const Camera& first) {
-  placed_ = {first, first.beside()};
+void ViewLink::place(const Pair& cameras) {
+  placed_ = cameras;
   reset();
 }
 

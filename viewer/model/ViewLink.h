@@ -33,9 +33,8 @@ class ViewLink : public QObject {
   bool isLinked() const { return linked_; }
   void setLinked(bool linked);
 
-  /// Places C1, and C2 a quarter turn to C1's right with the patient upright: for an anterior C1 it looks from the
-  /// patient's left.
-  void place(const Camera& first);
+  /// Puts both cameras there at once; reset() then goes to them.
+  void place(const Pair& cameras);
   /// Moves both cameras back to where they were last placed.
   void reset();
 
