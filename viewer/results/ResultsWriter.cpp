@@ -67,7 +67,7 @@ void writeFocus(const ResultsOrder& order, Staged& staged, const io::Progress& p
 void writeAll(const ResultsOrder& order, Staged& staged, const io::Progress& progress) {
   const std::string description = order.description.toStdString();
   const auto step = [&](double fraction) {
-    if (progress && !progress(fraction, "writing")) throw io::Cancelled();
+    if (progress && !progress(fraction, {})) throw io::Cancelled();
   };
   step(0.0);
   bool hasSegments = false;
@@ -93,7 +93,7 @@ void writeAll(const ResultsOrder& order, Staged& staged, const io::Progress& pro
     io::report::writeCapture(captureOf(order), order.source.isDicom() ? order.source.files : std::vector<fs::path>(),
                              staged.add("picture.dcm", ResultsWords::tr("Picture")));
   if (!order.keySlices.empty())
-    io::writeKeySlices(order.source, order.keySlices, order.keyText.toStdString(),
+    io::writeKeySlices(order.source, order.keySlices, {order.keyText.toStdString(), description},
                        staged.add("key-images.dcm", ResultsWords::tr("Key images")));
   step(1.0);
 }
@@ -144,7 +144,7 @@ ResultsOutcome writeResults(const ResultsOrder& order, const io::Progress& progr
     } catch (const std::exception& error) {
       outcome.sendingProblem = windowText(error);
     }
-  if (progress && !progress(1.0, "writing")) throw io::Cancelled();
+  if (progress && !progress(1.0, {})) throw io::Cancelled();
   if (order.folder) outcome.written = moved(staged, *order.folder);
   return outcome;
 }
