@@ -1,6 +1,7 @@
 #include "viewer/results/ResultsDialog.h"
 
 #include <algorithm>
+#include <utility>
 
 #include <QCheckBox>
 #include <QComboBox>
