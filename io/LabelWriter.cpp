@@ -92,9 +92,10 @@ void writeLabels(const LabelMap& labels, const std::filesystem::path& path, cons
     std::vector<std::uint16_t> values;
     for (const Label& label : wanted) values.push_back(label.value);
     const bool series = !output.series.empty() && looksLikeDicom(FileStart(output.series.front()));
-    return writeSegmentation(labels, values,
-                             {series ? output.series : std::vector<std::filesystem::path>(), output.namesPatient}, path,
-                             progress);
+    return writeSegmentation(
+        labels, values,
+        {series ? output.series : std::vector<std::filesystem::path>(), output.namesPatient, output.description}, path,
+        progress);
   }
   if (!name.ends_with(".nii") && !name.ends_with(".nii.gz") && !name.ends_with(".nrrd") && !name.ends_with(".mha"))
     throw Error(path, "has an ending that names no format for labels", std::string("end it in ") + labelEndings);

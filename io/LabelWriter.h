@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <string>
 #include <vector>
 
 #include "io/base/Reading.h"
@@ -14,6 +15,7 @@ struct LabelOutput {
   std::vector<std::filesystem::path> series = {};  ///< the files of the labels' volume; a DICOM segmentation
                                                    ///< refers to them where they are DICOM
   bool namesPatient = true;                        ///< a DICOM segmentation has the patient of `series`
+  std::string description = {};                    ///< of a DICOM segmentation's series; empty: "Segmentation"
 };
 
 /// The file endings that writeLabels knows, for dialogs and messages.

@@ -40,6 +40,7 @@
 #include "viewer/panels/CamerasPanel.h"
 #include "viewer/panels/FileDialog.h"
 #include "viewer/panels/SeriesPanel.h"
+#include "viewer/results/ResultsDialog.h"
 #include "viewer/style/FocusRing.h"
 #include "viewer/style/Style.h"
 #include "viewer/views/ViewArea.h"
@@ -93,9 +94,10 @@ MainWindow::MainWindow(const Setup& setup, QWidget* parent)
   archive_ = new ArchiveDock(*this, workspace_, [this](const auto& folder) { files_->open({folder}); });
   guide_ = new Guide(*this);
   connect(welcome_, &WelcomePage::guideRequested, guide_, [this] { guide_->open(); });
-  actions_ = new Actions({*this, workspace_, loader_, grower_, *files_, *exports_, *pictures_, *verification_,
-                          *sessions_, *views_, gl_, [this] { closeStudy(); }, [this] { resetLayout(); },
-                          [this] { keepKeyImage(); }, *panels_.cutaway, *archive_, *guide_, *tour_});
+  actions_ =
+      new Actions({*this, workspace_, loader_, grower_, *files_, *exports_, *pictures_, *verification_, *sessions_,
+                   *views_, gl_, [this] { closeStudy(); }, [this] { resetLayout(); }, [this] { keepKeyImage(); },
+                   [this] { showResultsDialog(); }, *panels_.cutaway, *archive_, *guide_, *tour_});
   setStatusBar(new StatusBar(workspace_.document, workspace_.options, *views_, gl_));
   // Below the pictures: a bar above them would resize them, and each click would draw them again.
   // What comes and goes in the status bar must not make the window wider.
@@ -119,7 +121,10 @@ MainWindow::MainWindow(const Setup& setup, QWidget* parent)
 }
 
 // Hiding makes widgets lay out and read the document: do so while the document exists, not in ~QWidget().
-MainWindow::~MainWindow() { hide(); }
+MainWindow::~MainWindow() {
+  delete results_;  // its worker uses the archive's servers
+  hide();
+}
 
 QWidget* MainWindow::makeCentre() {
   tour_ = new Tour(workspace_, *views_);
@@ -329,6 +334,17 @@ void MainWindow::keepKeyImage() {
     notices_->addError(
         NoticeBar::Subject::Study,
         tr("There are %1 key images; delete some to keep another.").arg(workspace_.document.keyImages().size()));
+}
+
+void MainWindow::showResultsDialog() {
+  if (!results_) {
+    results_ = new ResultsDialog({workspace_.document, workspace_.options, *views_, archive_->archives()}, this);
+    results_->setAttribute(Qt::WA_DeleteOnClose);
+    markAsStudyDialog(*results_);
+  }
+  results_->show();
+  results_->raise();
+  results_->activateWindow();
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include <QMainWindow>
+#include <QPointer>
 
 #include "io/study/StudyRequest.h"
 #include "viewer/Panels.h"
@@ -30,6 +31,7 @@ class FileOpener;
 class Guide;
 class NoticeBar;
 class PictureExports;
+class ResultsDialog;
 class Verification;
 class Sessions;
 class StudyNotices;
@@ -109,6 +111,7 @@ class MainWindow : public QMainWindow {
   void resetLayout();
   /// Adds the present state of the window to the key images.
   void keepKeyImage();
+  void showResultsDialog();
   /// Moves crosshair and cameras to a new volume, before any view draws it.
   void followVolume();
   void studyOpened();
@@ -140,6 +143,7 @@ class MainWindow : public QMainWindow {
   QStackedWidget* pages_;
   Panels panels_;
   ArchiveDock* archive_;
+  QPointer<ResultsDialog> results_;
   Guide* guide_;
   Actions* actions_;
   QByteArray firstState_, firstViews_;  ///< the layout that resetLayout() restores

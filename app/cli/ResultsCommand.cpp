@@ -12,8 +12,7 @@
 #include "app/DataOptions.h"
 #include "app/cli/Report.h"
 #include "io/ImageWriter.h"
-#include "io/LabelWriter.h"
-#include "io/report/Results.h"
+#include "io/results/StudyResults.h"
 #include "io/study/LabelNames.h"
 #include "io/study/ReadStudy.h"
 
@@ -44,68 +43,38 @@ bool readSlices(const std::string& text, std::vector<int>& slices) {
   return !slices.empty();
 }
 
-bool isDicom(const io::Study& study) { return study.format == "DICOM" && !study.series.files.empty(); }
-
-/// The DICOM files of the series, which a result of this kind is about.
-const std::vector<fs::path>& seriesOf(const io::Study& study, const ReportOptions& options) {
-  if (!isDicom(study))
-    throw io::Error(
-        options.data.source(),
-        "is no DICOM series (its format is " + study.format + "), and no DICOM study that the result could belong to",
-        "name the DICOM files that it was made from, or write a segmentation, which is a study of its own");
-  return study.series.files;
+io::ResultSource sourceOf(const io::Study& study, const ReportOptions& options) {
+  return io::resultSourceOf(study, options.data.source());
 }
 
-/// The labels to report, those without voxels left out.
-std::vector<io::report::MeasuredLabel> measuredLabels(const io::Study& study, const ReportOptions& options) {
-  std::vector<io::report::MeasuredLabel> rows;
-  const std::shared_ptr<const LabelMap>& labels = study.scene.labels;
-  if (!labels) return rows;
+/// The labels that the user named, ascending; empty: all.
+std::vector<std::uint16_t> chosenLabels(const io::Study& study, const ReportOptions& options) {
   std::vector<std::uint16_t> only;
-  if (!options.labels.empty()) only = io::resolveLabels(*labels, options.labels, options.data.labelSource());
-  for (const LabelStatistics& of : labelStatistics(*labels, *study.scene.volume))
-    if (of.voxels > 0 && of.label != 0 && (only.empty() || std::binary_search(only.begin(), only.end(), of.label)))
-      rows.push_back({labels->find(of.label)->name, of});
-  return rows;
-}
-
-void writeSegments(const io::Study& study, std::vector<std::uint16_t> only, const fs::path& file) {
-  io::LabelOutput output;
+  if (study.scene.labels && !options.labels.empty())
+    only = io::resolveLabels(*study.scene.labels, options.labels, options.data.labelSource());
   std::sort(only.begin(), only.end());
-  output.only = std::move(only);
-  output.series = study.series.files;
-  io::writeLabels(*study.scene.labels, file, output, progressOnTerminal());
+  return only;
 }
 
 Json reportMeasures(const io::Study& study, const ReportOptions& options) {
-  io::report::Measures measures;
-  measures.labels = measuredLabels(study, options);
-  measures.modality = study.scene.volume->modality;
-  measures.unit = study.scene.volume->unit;
-  for (const Measure& measure : study.session.measures)
-    measures.drawn.push_back({measure, valuesOf(measure, *study.scene.volume)});
-  const std::vector<fs::path>& series = seriesOf(study, options);
-  if (!measures.labels.empty()) {
-    measures.segmentation = options.segments;
-    if (measures.segmentation.empty())
-      measures.segmentation = options.output.parent_path() / (options.output.stem().string() + "-segments.dcm");
-    std::vector<std::uint16_t> only;
-    for (const io::report::MeasuredLabel& label : measures.labels) only.push_back(label.statistics.label);
-    writeSegments(study, std::move(only), measures.segmentation);
-  }
-  io::report::writeMeasures(measures, series, options.output);
-  return {{"segments", measures.labels.empty() ? Json(nullptr) : Json(measures.segmentation.string())},
-          {"labels", measures.labels.size()},
-          {"measures", measures.drawn.size()}};
+  io::MeasuresOutput output;
+  output.report = options.output;
+  output.segments = options.segments;
+  if (output.segments.empty())
+    output.segments = options.output.parent_path() / (options.output.stem().string() + "-segments.dcm");
+  output.only = chosenLabels(study, options);
+  output.description = options.description;
+  const io::MeasuresWritten written = io::writeMeasures(sourceOf(study, options), output, progressOnTerminal());
+  return {{"segments", written.labels == 0 ? Json(nullptr) : Json(output.segments.string())},
+          {"labels", written.labels},
+          {"measures", written.measures}};
 }
 
 Json reportSegmentation(const io::Study& study, const ReportOptions& options) {
   if (!study.scene.labels)
     throw io::Error(options.data.labelSource(), "has no labels to report", "name a label map with --labels");
-  std::vector<std::uint16_t> only;
-  if (!options.labels.empty())
-    only = io::resolveLabels(*study.scene.labels, options.labels, options.data.labelSource());
-  writeSegments(study, std::move(only), options.output);
+  io::writeSegments(sourceOf(study, options), *study.scene.labels, chosenLabels(study, options), options.description,
+                    options.output, progressOnTerminal());
   return Json::object();
 }
 
@@ -139,25 +108,14 @@ Json reportCapture(const io::Study& study, const ReportOptions& options) {
   capture.description = options.description;
   capture.alters = alterations(study);
   for (const io::PngText& text : texts) capture.comments += (capture.comments.empty() ? "" : "\n") + text.text;
-  io::report::writeCapture(capture, isDicom(study) ? study.series.files : std::vector<fs::path>(), options.output);
+  io::report::writeCapture(capture, sourceOf(study, options).isDicom() ? study.series.files : std::vector<fs::path>(),
+                           options.output);
   return {{"size", {picture.size.x, picture.size.y}}};
 }
 
 Json reportKeys(const io::Study& study, const ReportOptions& options) {
-  const std::vector<fs::path>& series = seriesOf(study, options);
-  if (study.slices.empty())
-    throw io::Error(options.data.source(), "is an archive, whose slices cannot be told apart",
-                    "unpack it and open the folder");
-  const int count = static_cast<int>(study.slices.size());
-  io::report::KeyObjects keys;
-  keys.description = options.description;
-  for (const int slice : options.slices) {
-    if (slice >= count)
-      throw io::Error(options.data.source(), "there is no slice " + std::to_string(slice),
-                      "slices run from 0 to " + std::to_string(count - 1));
-    keys.images.push_back(study.slices[static_cast<std::size_t>(slice)]);
-  }
-  io::report::writeKeyObjects(keys, series, options.output);
+  io::writeKeySlices(sourceOf(study, options), options.slices, {options.description, options.description},
+                     options.output);
   return {{"slices", options.slices}};
 }
 
@@ -199,7 +157,8 @@ void addReportOptions(app::Command command, ReportOptions& options) {
   const app::Option slices =
       command.add("--slices", "K,K-K", "of keys: numbers of the slices as scanned, from 0",
                   [&options](const std::string& text) { return readSlices(text, options.slices); });
-  command.addValue("--description", options.description, "of a capture or of keys: what it shows, or why").as("TEXT");
+  command.addValue("--description", options.description, "what the result shows, or why the keys were chosen")
+      .as("TEXT");
   command.atLast([command, segments, picture, slices, &options] {
     if (!command.isGiven("PATH") && !command.isGiven("--phantom")) throw app::MissingOption{"PATH or --phantom"};
     if (options.kind == ReportKind::Capture && !picture.isGiven()) throw app::MissingOption{"--picture", "capture"};

@@ -67,14 +67,17 @@ Source sourceOf(const std::vector<fs::path>& series, const Grid& grid) {
 }
 
 /// At most 64 characters without a backslash, as a long string (LO) may hold.
-std::string segmentLabel(const Label& label) {
-  std::string name = label.name.empty() ? "label " + std::to_string(label.value) : label.name;
+std::string longText(std::string name) {
   std::replace(name.begin(), name.end(), '\\', '/');
   std::erase_if(name, [](char c) { return static_cast<unsigned char>(c) < 0x20; });
   std::size_t characters = 0, end = 0;
   for (; end < name.size(); ++end)
     if ((static_cast<unsigned char>(name[end]) & 0xc0) != 0x80 && ++characters > 64) break;
   return name.substr(0, end);
+}
+
+std::string segmentLabel(const Label& label) {
+  return longText(label.name.empty() ? "label " + std::to_string(label.value) : label.name);
 }
 
 Label describedBy(const LabelMap& labels, std::uint16_t value) {
@@ -147,7 +150,8 @@ void describeOrigin(DcmSegmentation& document, const SegmentationOrigin& origin,
   if (document.getFrameOfReference().getFrameOfReferenceUID(present).bad() || present.empty())
     document.getFrameOfReference().setFrameOfReferenceUID(dcmGenerateUniqueIdentifier(uid, SITE_UID_ROOT));
   document.getSOPCommon().setSpecificCharacterSet("ISO_IR 192");
-  document.getSeries().setSeriesDescription("Segmentation");
+  document.getSeries().setSeriesDescription(
+      origin.description.empty() ? "Segmentation" : longText(origin.description).c_str(), OFFalse);
   document.getSeries().setSeriesNumber("1000");
 }
 

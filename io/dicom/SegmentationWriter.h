@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <string>
 #include <vector>
 
 #include "io/base/Reading.h"
@@ -13,6 +14,7 @@ namespace fenestra::io {
 struct SegmentationOrigin {
   std::vector<std::filesystem::path> series;  ///< the DICOM files that the labels' volume was read from, or none
   bool namesPatient = true;  ///< false: identifiers link it to the series; what describes patient and study is empty
+  std::string description = {};  ///< of its series, cut to 64 characters; empty: "Segmentation"
 };
 
 /// Writes the labels `wanted` (those without voxels are left out) as a binary segmentation (PS3.3 A.51), one frame for

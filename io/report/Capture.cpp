@@ -90,6 +90,8 @@ void writeCapture(const Capture& capture, const std::vector<fs::path>& series, c
   putTime(dataset);
   put(DCM_DerivationDescription, derivation(capture));
   constexpr std::size_t longText = 10240;
+  // PS3.3 C.7.6.1.1.1: whether the pixels identify the patient.
+  if (capture.namesPatient) put(DCM_BurnedInAnnotation, *capture.namesPatient ? "YES" : "NO");
   if (!capture.comments.empty()) put(DCM_ImageComments, bounded(capture.comments, longText));
   describeImage(capture, dataset, file);
   save(whole, file);

@@ -195,7 +195,7 @@ void writeMeasures(const Measures& measures, const std::vector<fs::path>& series
   require(document.setTreeFromRootTemplate(report), file, "its tree");
   // The template makes it an Enhanced SR, which has no points in space.
   require(document.changeDocumentType(DSRTypes::DT_Comprehensive3DSR), file, "its kind");
-  beginDocument(document, origin, "Measurements", "1001", file);
+  beginDocument(document, origin, measures.description.empty() ? "Measurements" : measures.description, "1001", file);
   addPoints(document.getTree(), measures, origin.frameOfReference, file);
   if (!measures.labels.empty())
     require(document.getCurrentRequestedProcedureEvidence().addItem(origin.dataset()), file, "its segmentation");

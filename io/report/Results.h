@@ -6,6 +6,7 @@
 // renamed; all functions throw Error.
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -31,7 +32,8 @@ struct Measures {
   std::filesystem::path segmentation;  ///< a DICOM segmentation, whose segment i + 1 is labels[i]; empty without labels
   std::vector<DrawnMeasure> drawn;
   Modality modality = Modality::Unknown;
-  std::string unit;  ///< of the values, as Volume::unit
+  std::string unit;              ///< of the values, as Volume::unit
+  std::string description = {};  ///< of the series; empty: "Measurements"
 };
 
 /// Writes measures as a Comprehensive 3D SR by TID 1500 (PS3.16): a group of measurements for each label, which refers
@@ -43,10 +45,11 @@ void writeMeasures(const Measures& measures, const std::vector<std::filesystem::
 /// A picture of a volume.
 struct Capture {
   glm::ivec2 size{0};
-  std::vector<std::uint8_t> pixels;   ///< RGB, row by row from the top
-  std::string description = {};       ///< of the series, one line
-  std::vector<std::string> alters{};  ///< what the picture changes of the data, sentences
-  std::string comments = {};          ///< about the picture, such as its certificate
+  std::vector<std::uint8_t> pixels;    ///< RGB, row by row from the top
+  std::string description = {};        ///< of the series, one line
+  std::vector<std::string> alters{};   ///< what the picture changes of the data, sentences
+  std::string comments = {};           ///< about the picture, such as its certificate
+  std::optional<bool> namesPatient{};  ///< whether its pixels show what names the patient; unset: unknown
 };
 
 /// Writes a secondary capture (PS3.3 A.8.1). The derivation description names what alters the data, and the image
@@ -59,6 +62,7 @@ void writeCapture(const Capture& capture, const std::vector<std::filesystem::pat
 struct KeyObjects {
   std::vector<SliceSource> images;  ///< at least one; files as in the series
   std::string description = {};     ///< why; may be empty
+  std::string series = {};          ///< description of the series; empty: "Key objects"
 };
 
 /// Writes a key object selection (PS3.3 A.35.4) by TID 2010 with the title "Of Interest".

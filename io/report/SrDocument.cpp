@@ -2,12 +2,12 @@
 
 namespace fenestra::io::report {
 
-void beginDocument(DSRDocument& document, Origin& origin, const char* description, const char* seriesNumber,
+void beginDocument(DSRDocument& document, Origin& origin, const std::string& description, const char* seriesNumber,
                    const std::filesystem::path& file) {
   require(document.setSpecificCharacterSetType(DSRTypes::CS_UTF8), file, "its character set");
   require(document.readStudyData(origin.dataset()), file, "patient and study");
   document.createNewSeries();
-  require(document.setSeriesDescription(description), file, "its series");
+  require(document.setSeriesDescription(longString(description).c_str(), OFFalse), file, "its series");
   require(document.setSeriesNumber(seriesNumber), file, "its series");
   require(document.setInstanceNumber("1"), file, "its number");
   require(document.setManufacturer("Fenestra"), file, "its maker");

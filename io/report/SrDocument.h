@@ -11,7 +11,7 @@
 namespace fenestra::io::report {
 
 /// Patient and study of the origin, a new series of this description and number, and the program that makes it.
-void beginDocument(DSRDocument& document, Origin& origin, const char* description, const char* seriesNumber,
+void beginDocument(DSRDocument& document, Origin& origin, const std::string& description, const char* seriesNumber,
                    const std::filesystem::path& file);
 void saveDocument(DSRDocument& document, const std::filesystem::path& file);
 

@@ -1081,6 +1081,33 @@
     </message>
 </context>
 <context>
+    <name>Results</name>
+    <message>
+        <source>Focus</source>
+        <translation>Cible</translation>
+    </message>
+    <message>
+        <source>Measures</source>
+        <translation>Mesures</translation>
+    </message>
+    <message>
+        <source>Labels</source>
+        <translation>Étiquettes</translation>
+    </message>
+    <message>
+        <source>Segments of the measures</source>
+        <translation>Segments des mesures</translation>
+    </message>
+    <message>
+        <source>Picture</source>
+        <translation>Image</translation>
+    </message>
+    <message>
+        <source>Key images</source>
+        <translation>Images clés</translation>
+    </message>
+</context>
+<context>
     <name>Series</name>
     <message>
         <source>%1 mm</source>
@@ -3766,6 +3793,14 @@ Cosinus de l&apos;angle avec la plus proche des six</translation>
         <source>Ctrl+D</source>
         <translation>Ctrl+D</translation>
     </message>
+    <message>
+        <source>Save res&amp;ults…</source>
+        <translation>Enregistrer les résultats…</translation>
+    </message>
+    <message>
+        <source>Measures, segmentations, pictures and key images as DICOM objects, to a folder or an archive</source>
+        <translation>Mesures, segmentations, images et images clés comme objets DICOM, dans un dossier ou une archive</translation>
+    </message>
 </context>
 <context>
     <name>fenestra::viewer::AppearancePanel</name>
@@ -4717,7 +4752,7 @@ Cosinus de l&apos;angle avec la plus proche des six</translation>
     <name>fenestra::viewer::KeyImages</name>
     <message>
         <source>Key image %1</source>
-        <translation>Image clé %1</translation>
+        <translation>Image clé&#xa0;%1</translation>
     </message>
     <message>
         <source>Keep a key image</source>
@@ -5195,7 +5230,7 @@ Cosinus de l&apos;angle avec la plus proche des six</translation>
     </message>
     <message>
         <source>There are %1 key images; delete some to keep another.</source>
-        <translation>Il y a %1 images clés ; supprimez-en pour en garder une autre.</translation>
+        <translation>Il y a&#xa0;%1 images clés&#xa0;; supprimez-en pour en garder une autre.</translation>
     </message>
 </context>
 <context>
@@ -5695,6 +5730,189 @@ Sinon&#xa0;: d&apos;abord la meilleure vue, puis la meilleure à côté</transla
     </message>
 </context>
 <context>
+    <name>fenestra::viewer::ResultsDialog</name>
+    <message>
+        <source>Save results</source>
+        <translation>Enregistrer les résultats</translation>
+    </message>
+    <message>
+        <source>Writing…</source>
+        <translation>Écriture…</translation>
+    </message>
+    <message>
+        <source>Stopped. Nothing was written; an archive keeps what it had taken.</source>
+        <translation>Arrêté. Rien n&apos;a été écrit ; une archive garde ce qu&apos;elle avait accepté.</translation>
+    </message>
+    <message>
+        <source>Measures and the table of labels, as a report</source>
+        <translation>Mesures et tableau des étiquettes, comme rapport</translation>
+    </message>
+    <message>
+        <source>A structured report (TID 1500): distances, angles, areas and values of the measures, volume and values of each label, and the segmentation that these refer to</source>
+        <translation>Un rapport structuré (TID 1500) : distances, angles, aires et valeurs des mesures, volume et valeurs de chaque étiquette, et la segmentation à laquelle ils se rapportent</translation>
+    </message>
+    <message>
+        <source>All labels, as a segmentation</source>
+        <translation>Toutes les étiquettes, comme segmentation</translation>
+    </message>
+    <message>
+        <source>With their names and colours</source>
+        <translation>Avec leurs noms et couleurs</translation>
+    </message>
+    <message>
+        <source>The focus, as a segmentation</source>
+        <translation>La cible, comme segmentation</translation>
+    </message>
+    <message>
+        <source>Labels as they are; a region or a range of values as one segment</source>
+        <translation>Les étiquettes telles quelles ; une région ou une plage de valeurs comme un segment</translation>
+    </message>
+    <message>
+        <source>A picture of</source>
+        <translation>Une image de</translation>
+    </message>
+    <message>
+        <source>A secondary capture, which says what makes the picture less than exact</source>
+        <translation>Une capture secondaire, qui dit ce qui rend l&apos;image moins exacte</translation>
+    </message>
+    <message>
+        <source>Views in the picture</source>
+        <translation>Vues dans l&apos;image</translation>
+    </message>
+    <message>
+        <source>A key object selection, which names slices of the series</source>
+        <translation>Une sélection d&apos;objets clés, qui nomme des coupes de la série</translation>
+    </message>
+    <message>
+        <source>by the kind of object</source>
+        <translation>selon le type d&apos;objet</translation>
+    </message>
+    <message>
+        <source>Description of the series</source>
+        <translation>Description de la série</translation>
+    </message>
+    <message>
+        <source>To the folder</source>
+        <translation>Dans le dossier</translation>
+    </message>
+    <message>
+        <source>A file for each object</source>
+        <translation>Un fichier pour chaque objet</translation>
+    </message>
+    <message>
+        <source>Folder</source>
+        <translation>Dossier</translation>
+    </message>
+    <message>
+        <source>Choose…</source>
+        <translation>Choisir…</translation>
+    </message>
+    <message>
+        <source>To the archive</source>
+        <translation>Vers l&apos;archive</translation>
+    </message>
+    <message>
+        <source>The server answers for each object</source>
+        <translation>Le serveur répond pour chaque objet</translation>
+    </message>
+    <message>
+        <source>Server</source>
+        <translation>Serveur</translation>
+    </message>
+    <message>
+        <source>The objects hold the patient&apos;s name and ID, also while the window hides them: archives and other programs file them by these.</source>
+        <translation>Les objets contiennent le nom et l&apos;ID du patient, même quand la fenêtre les masque : archives et autres programmes les classent par eux.</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>Enregistrer</translation>
+    </message>
+    <message>
+        <source>Folder of the results</source>
+        <translation>Dossier des résultats</translation>
+    </message>
+    <message>
+        <source>This study is not from DICOM files, so there is no DICOM study that this could belong to.</source>
+        <translation>Cet examen ne vient pas de fichiers DICOM : il n&apos;y a pas d&apos;examen DICOM auquel cela pourrait appartenir.</translation>
+    </message>
+    <message>
+        <source>Nothing is in focus.</source>
+        <translation>Rien n&apos;est ciblé.</translation>
+    </message>
+    <message>
+        <source>The region in focus is not complete yet.</source>
+        <translation>La région ciblée n&apos;est pas encore complète.</translation>
+    </message>
+    <message>
+        <source>This series was read from an archive file. Unpack it and open the folder.</source>
+        <translation>Cette série a été lue d&apos;un fichier compressé. Décompressez-le et ouvrez le dossier.</translation>
+    </message>
+    <message>
+        <source>The slices of this series do not lie evenly: what is shown is interpolated between them.</source>
+        <translation>Les coupes de cette série ne sont pas régulières : ce qui est montré est interpolé entre elles.</translation>
+    </message>
+    <message>
+        <source>There are no key images (View → Keep a key image).</source>
+        <translation>Il n&apos;y a pas d&apos;images clés (Affichage → Garder une image clé).</translation>
+    </message>
+    <message>
+        <source>The crosshair of no key image lies in the volume.</source>
+        <translation>Le réticule d&apos;aucune image clé n&apos;est dans le volume.</translation>
+    </message>
+    <message>
+        <source>There are neither measures nor labels.</source>
+        <translation>Il n&apos;y a ni mesures ni étiquettes.</translation>
+    </message>
+    <message>
+        <source>There are no labels.</source>
+        <translation>Il n&apos;y a pas d&apos;étiquettes.</translation>
+    </message>
+    <message>
+        <source>No view is on screen.</source>
+        <translation>Aucune vue n&apos;est à l&apos;écran.</translation>
+    </message>
+    <message>
+        <source>Slices of the key images: %1</source>
+        <translation>Coupes des images clés : %1</translation>
+    </message>
+    <message>
+        <source>Slices of the key images</source>
+        <translation>Coupes des images clés</translation>
+    </message>
+    <message>
+        <source>This study is not from DICOM files, and archives file by patient and study.</source>
+        <translation>Cet examen ne vient pas de fichiers DICOM, et les archives classent par patient et examen.</translation>
+    </message>
+    <message>
+        <source>No server is entered yet (View → Archive).</source>
+        <translation>Aucun serveur n&apos;est encore saisi (Affichage → Archive).</translation>
+    </message>
+    <message>
+        <source>Region</source>
+        <translation>Région</translation>
+    </message>
+    <message>
+        <source>Values</source>
+        <translation>Valeurs</translation>
+    </message>
+    <message>
+        <source>Values %1 to %2 %3</source>
+        <translation>Valeurs de %1 à %2 %3</translation>
+    </message>
+    <message>
+        <source>Drawing the picture…</source>
+        <translation>Dessin de l&apos;image…</translation>
+    </message>
+    <message>
+        <source>Wrote %1.</source>
+        <translation>%1 écrit.</translation>
+    </message>
+    <message>
+        <source>Nothing was sent: %1</source>
+        <translation>Rien n&apos;a été envoyé : %1</translation>
+    </message>
+</context>
+<context>
     <name>fenestra::viewer::RetrievalRow</name>
     <message>
         <source>Pause</source>
@@ -5886,14 +6104,6 @@ Sinon&#xa0;: d&apos;abord la meilleure vue, puis la meilleure à côté</transla
         <translation>Envoyer à une archive</translation>
     </message>
     <message>
-        <source>Object</source>
-        <translation>Objet</translation>
-    </message>
-    <message>
-        <source>Answer of the server</source>
-        <translation>Réponse du serveur</translation>
-    </message>
-    <message>
         <source>Send</source>
         <translation>Envoyer</translation>
     </message>
@@ -5932,6 +6142,17 @@ Sinon&#xa0;: d&apos;abord la meilleure vue, puis la meilleure à côté</transla
     <message>
         <source>Labels</source>
         <translation>Étiquettes</translation>
+    </message>
+</context>
+<context>
+    <name>fenestra::viewer::SentAnswers</name>
+    <message>
+        <source>Object</source>
+        <translation>Objet</translation>
+    </message>
+    <message>
+        <source>Answer of the server</source>
+        <translation>Réponse du serveur</translation>
     </message>
     <message>
         <source>accepted</source>

@@ -54,6 +54,7 @@ class Actions : public QObject {
     std::function<void()> closeStudy;
     std::function<void()> resetLayout;
     std::function<void()> keepKeyImage;
+    std::function<void()> saveResults;
     CutawayPanel& cutaway;
     ArchiveDock& archive;
     Guide& guide;

@@ -65,6 +65,10 @@ void Actions::makeFileMenu() {
   menu->addSeparator();
   menu->addActions({save, saveAs});
   addExports(*menu);
+  menu->addAction(volumeAction(tr("Save res&ults…"), {}, [this] { targets_.saveResults(); }));
+  menu->actions().constLast()->setObjectName(QStringLiteral("saveResults"));
+  menu->actions().constLast()->setToolTip(
+      tr("Measures, segmentations, pictures and key images as DICOM objects, to a folder or an archive"));
   addSending(*menu);
   menu->addSeparator();
   menu->addAction(volumeAction(tr("&Close study"), QKeySequence(tr("Ctrl+W")), [this] { targets_.closeStudy(); }));

@@ -1,22 +1,19 @@
 #include "viewer/archive/SendDialog.h"
 
-#include <algorithm>
-
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDialogButtonBox>
 #include <QFormLayout>
-#include <QHeaderView>
 #include <QLabel>
 #include <QProgressBar>
 #include <QPushButton>
 #include <QTemporaryDir>
-#include <QTreeWidget>
 #include <QVBoxLayout>
 
 #include "io/LabelWriter.h"
 #include "io/base/Reading.h"
 #include "viewer/archive/Conversation.h"
+#include "viewer/archive/SentAnswers.h"
 #include "viewer/model/Document.h"
 #include "viewer/model/Paths.h"
 
@@ -41,12 +38,8 @@ SendDialog::SendDialog(Archives& archives, const Document& document, QWidget* pa
   progress_->setRange(0, 1000);
   progress_->setTextVisible(false);
   progress_->hide();
-  answers_ = new QTreeWidget;
+  answers_ = new SentAnswers;
   answers_->setObjectName(QStringLiteral("sendAnswers"));
-  answers_->setRootIsDecorated(false);
-  answers_->setUniformRowHeights(true);
-  answers_->setHeaderLabels({tr("Object"), tr("Answer of the server")});
-  answers_->header()->setSectionResizeMode(0, QHeaderView::ResizeToContents);
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close);
   send_ = buttons->addButton(tr("Send"), QDialogButtonBox::ActionRole);
   send_->setObjectName(QStringLiteral("sendNow"));
@@ -130,17 +123,10 @@ void SendDialog::send() {
 }
 
 void SendDialog::show(const std::vector<io::archive::Sent>& sent, std::size_t images) {
-  QList<QTreeWidgetItem*> rows;
-  for (std::size_t i = 0; i < sent.size(); ++i) {
-    // Not by the names of files, which may name the patient.
-    const QString name = i < images ? tr("Image %1").arg(i + 1) : tr("Labels");
-    const QString text = QString::fromStdString(sent[i].text);
-    const QString verdict = sent[i].accepted ? tr("accepted") : tr("refused");
-    rows << new QTreeWidgetItem({name, text.isEmpty() ? verdict : QStringLiteral("%1: %2").arg(verdict, text)});
-  }
-  answers_->addTopLevelItems(rows);
-  const auto accepted = std::count_if(sent.begin(), sent.end(), [](const auto& each) { return each.accepted; });
-  status_->setText(tr("Accepted: %1 of %2.").arg(accepted).arg(sent.size()));
+  QStringList names;
+  for (std::size_t i = 0; i < sent.size(); ++i) names << (i < images ? tr("Image %1").arg(i + 1) : tr("Labels"));
+  answers_->fill(names, sent);
+  status_->setText(SentAnswers::summaryOf(sent));
 }
 
 }  // namespace fenestra::viewer

@@ -14,11 +14,11 @@ class QComboBox;
 class QLabel;
 class QProgressBar;
 class QPushButton;
-class QTreeWidget;
 
 namespace fenestra::viewer {
 
 class Document;
+class SentAnswers;
 
 class SendDialog : public QDialog {
   Q_OBJECT
@@ -44,7 +44,7 @@ class SendDialog : public QDialog {
   QCheckBox *series_, *labels_;
   QLabel* status_;
   QProgressBar* progress_;
-  QTreeWidget* answers_;
+  SentAnswers* answers_;
   QPushButton* send_;
 };
 

@@ -48,6 +48,16 @@ std::vector<PictureDialog::Choice> PictureDialog::choices(What what, const ViewA
   return choices;
 }
 
+int PictureDialog::activeOf(const std::vector<Choice>& choices, const ViewArea& views) {
+  for (std::size_t i = 0; i < choices.size(); ++i) {
+    const PictureMaker::Request& of = choices[i].views;
+    const bool one = of.volumes.size() + of.slices.size() == 1;
+    const QWidget* view = of.volumes.empty() ? static_cast<QWidget*>(of.slices.front()) : of.volumes.front();
+    if (one && view == views.activeView()) return static_cast<int>(i);
+  }
+  return 0;
+}
+
 PictureDialog::PictureDialog(What what, const ViewArea& views, const PictureMaker& maker, QWidget* parent)
     : QDialog(parent),
       maker_(maker),
@@ -59,13 +69,8 @@ PictureDialog::PictureDialog(What what, const ViewArea& views, const PictureMake
       frames_(number(2, 3600, 72)),
       framesPerSecond_(number(1, 120, 24)) {
   setWindowTitle(what == What::Picture ? tr("Save a picture") : tr("Save a turntable"));
-  for (std::size_t i = 0; i < choices_.size(); ++i) {
-    views_->addItem(choices_[i].name);
-    const PictureMaker::Request& of = choices_[i].views;
-    const bool one = of.volumes.size() + of.slices.size() == 1;
-    const QWidget* view = of.volumes.empty() ? static_cast<QWidget*>(of.slices.front()) : of.volumes.front();
-    if (one && view == views.activeView()) views_->setCurrentIndex(static_cast<int>(i));
-  }
+  for (const Choice& choice : choices_) views_->addItem(choice.name);
+  views_->setCurrentIndex(activeOf(choices_, views));
   marks_->setChecked(what == What::Picture);
   auto* form = new QFormLayout(this);
   form->addRow(tr("Views"), views_);

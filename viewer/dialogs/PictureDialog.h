@@ -25,12 +25,17 @@ class PictureDialog : public QDialog {
   int frames() const { return frames_->value(); }
   int framesPerSecond() const { return framesPerSecond_->value(); }
 
- private:
+  /// Views that a picture may show, each alone and together.
   struct Choice {
     QString name;
     PictureMaker::Request views;
   };
+  /// Those that are on screen.
   static std::vector<Choice> choices(What what, const ViewArea& views);
+  /// The choice of the active view alone; 0 where that is none of them.
+  static int activeOf(const std::vector<Choice>& choices, const ViewArea& views);
+
+ private:
   /// The other side follows, so that the picture shows what the window does.
   void sizeChanged(QSpinBox* changed, QSpinBox* follows);
   QSize shownSize() const;
