@@ -107,10 +107,6 @@
         <translation>Ziehen oder Klicks</translation>
     </message>
     <message>
-        <source>draw the measure whose tool is chosen; Esc ends it</source>
-        <translation>die gewählte Messung zeichnen; Esc beendet sie</translation>
-    </message>
-    <message>
         <source>Drag a handle or line</source>
         <translation>Griff oder Linie ziehen</translation>
     </message>
@@ -121,10 +117,6 @@
     <message>
         <source>Right click on it</source>
         <translation>Rechtsklick darauf</translation>
-    </message>
-    <message>
-        <source>copy and delete</source>
-        <translation>kopieren und löschen</translation>
     </message>
     <message>
         <source>Clipping, while its tab is in sight</source>
@@ -458,6 +450,22 @@
         <source>rename it</source>
         <translation>umbenennen</translation>
     </message>
+    <message>
+        <source>draw the measure or arrow whose tool is chosen, then type an arrow&apos;s text; Esc ends it</source>
+        <translation>die Messung oder den Pfeil zeichnen, dessen Werkzeug gewählt ist, dann den Text des Pfeils tippen; Esc beendet es</translation>
+    </message>
+    <message>
+        <source>Click, as a text&apos;s tool is chosen</source>
+        <translation>Klick, wenn das Textwerkzeug gewählt ist</translation>
+    </message>
+    <message>
+        <source>place a text, and type it</source>
+        <translation>einen Text setzen und tippen</translation>
+    </message>
+    <message>
+        <source>copy and delete; change the text of a mark</source>
+        <translation>kopieren und löschen; den Text einer Markierung ändern</translation>
+    </message>
 </context>
 <context>
     <name>Fidelity</name>
@@ -779,6 +787,14 @@
         <source>%1 cm²</source>
         <translation>%L1 cm²</translation>
     </message>
+    <message>
+        <source>Arrow</source>
+        <translation>Pfeil</translation>
+    </message>
+    <message>
+        <source>Text</source>
+        <translation>Text</translation>
+    </message>
 </context>
 <context>
     <name>MeasureMenu</name>
@@ -797,6 +813,18 @@
     <message>
         <source>Delete all measures</source>
         <translation>Alle Messungen löschen</translation>
+    </message>
+    <message>
+        <source>Text of the mark</source>
+        <translation>Text der Markierung</translation>
+    </message>
+    <message>
+        <source>Pictures and sessions hold it: name no patient.</source>
+        <translation>Bilder und Sitzungen enthalten ihn: nennen Sie keinen Patienten.</translation>
+    </message>
+    <message>
+        <source>Change the text…</source>
+        <translation>Text ändern…</translation>
     </message>
 </context>
 <context>
@@ -1078,6 +1106,33 @@
     <message>
         <source>There is not enough memory for this picture. Close other programs, or open a smaller volume.</source>
         <translation>Für dieses Bild fehlt Speicher. Schließen Sie andere Programme, oder öffnen Sie ein kleineres Volumen.</translation>
+    </message>
+</context>
+<context>
+    <name>Results</name>
+    <message>
+        <source>Focus</source>
+        <translation>Fokus</translation>
+    </message>
+    <message>
+        <source>Measures</source>
+        <translation>Messungen</translation>
+    </message>
+    <message>
+        <source>Labels</source>
+        <translation>Labels</translation>
+    </message>
+    <message>
+        <source>Segments of the measures</source>
+        <translation>Segmente der Messungen</translation>
+    </message>
+    <message>
+        <source>Picture</source>
+        <translation>Bild</translation>
+    </message>
+    <message>
+        <source>Key images</source>
+        <translation>Schlüsselbilder</translation>
     </message>
 </context>
 <context>
@@ -3766,6 +3821,26 @@ Kosinus des Winkels zur nächsten der sechs</translation>
         <source>Ctrl+D</source>
         <translation>Ctrl+D</translation>
     </message>
+    <message>
+        <source>Save res&amp;ults…</source>
+        <translation>Ergebni&amp;sse speichern…</translation>
+    </message>
+    <message>
+        <source>Measures, segmentations, pictures and key images as DICOM objects, to a folder or an archive</source>
+        <translation>Messungen, Segmentierungen, Bilder und Schlüsselbilder als DICOM-Objekte, in einen Ordner oder ein Archiv</translation>
+    </message>
+    <message>
+        <source>Arro&amp;w</source>
+        <translation>&amp;Pfeil</translation>
+    </message>
+    <message>
+        <source>&amp;Text</source>
+        <translation>&amp;Text</translation>
+    </message>
+    <message>
+        <source>Change te&amp;xt…</source>
+        <translation>Te&amp;xt ändern…</translation>
+    </message>
 </context>
 <context>
     <name>fenestra::viewer::AppearancePanel</name>
@@ -5212,6 +5287,10 @@ Kosinus des Winkels zur nächsten der sechs</translation>
         <source>Move measure</source>
         <translation>Messung verschieben</translation>
     </message>
+    <message>
+        <source>Change text</source>
+        <translation>Text ändern</translation>
+    </message>
 </context>
 <context>
     <name>fenestra::viewer::NoticeBar</name>
@@ -5695,6 +5774,189 @@ Aus: erst die beste Ansicht, dann die beste daneben</translation>
     </message>
 </context>
 <context>
+    <name>fenestra::viewer::ResultsDialog</name>
+    <message>
+        <source>Save results</source>
+        <translation>Ergebnisse speichern</translation>
+    </message>
+    <message>
+        <source>Stopped. Nothing was written; an archive keeps what it had taken.</source>
+        <translation>Angehalten. Nichts wurde geschrieben; ein Archiv behält, was es schon angenommen hatte.</translation>
+    </message>
+    <message>
+        <source>Measures and the table of labels, as a report</source>
+        <translation>Messungen und die Tabelle der Labels, als Bericht</translation>
+    </message>
+    <message>
+        <source>A structured report (TID 1500): distances, angles, areas and values of the measures, volume and values of each label, and the segmentation that these refer to</source>
+        <translation>Ein strukturierter Bericht (TID 1500): Abstände, Winkel, Flächen und Werte der Messungen, Volumen und Werte jedes Labels und die Segmentierung, auf die sie sich beziehen</translation>
+    </message>
+    <message>
+        <source>All labels, as a segmentation</source>
+        <translation>Alle Labels, als Segmentierung</translation>
+    </message>
+    <message>
+        <source>With their names and colours</source>
+        <translation>Mit ihren Namen und Farben</translation>
+    </message>
+    <message>
+        <source>The focus, as a segmentation</source>
+        <translation>Der Fokus, als Segmentierung</translation>
+    </message>
+    <message>
+        <source>Labels as they are; a region or a range of values as one segment</source>
+        <translation>Labels, wie sie sind; eine Region oder ein Wertebereich als ein Segment</translation>
+    </message>
+    <message>
+        <source>A picture of</source>
+        <translation>Ein Bild von</translation>
+    </message>
+    <message>
+        <source>A secondary capture, which says what makes the picture less than exact</source>
+        <translation>Ein Secondary Capture, das sagt, was das Bild ungenau macht</translation>
+    </message>
+    <message>
+        <source>Views in the picture</source>
+        <translation>Ansichten im Bild</translation>
+    </message>
+    <message>
+        <source>A key object selection, which names slices of the series</source>
+        <translation>Eine Auswahl von Schlüsselobjekten, die Schichten der Serie nennt</translation>
+    </message>
+    <message>
+        <source>by the kind of object</source>
+        <translation>nach der Art des Objekts</translation>
+    </message>
+    <message>
+        <source>Description of the series</source>
+        <translation>Beschreibung der Serie</translation>
+    </message>
+    <message>
+        <source>To the folder</source>
+        <translation>In den Ordner</translation>
+    </message>
+    <message>
+        <source>A file for each object</source>
+        <translation>Eine Datei für jedes Objekt</translation>
+    </message>
+    <message>
+        <source>Folder</source>
+        <translation>Ordner</translation>
+    </message>
+    <message>
+        <source>Choose…</source>
+        <translation>Wählen…</translation>
+    </message>
+    <message>
+        <source>To the archive</source>
+        <translation>In das Archiv</translation>
+    </message>
+    <message>
+        <source>The server answers for each object</source>
+        <translation>Der Server antwortet zu jedem Objekt</translation>
+    </message>
+    <message>
+        <source>Server</source>
+        <translation>Server</translation>
+    </message>
+    <message>
+        <source>The objects hold the patient&apos;s name and ID, also while the window hides them: archives and other programs file them by these.</source>
+        <translation>Die Objekte enthalten Name und ID des Patienten, auch während das Fenster sie verbirgt: Archive und andere Programme ordnen sie danach ein.</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>Speichern</translation>
+    </message>
+    <message>
+        <source>Folder of the results</source>
+        <translation>Ordner der Ergebnisse</translation>
+    </message>
+    <message>
+        <source>This study is not from DICOM files, so there is no DICOM study that this could belong to.</source>
+        <translation>Diese Studie stammt nicht aus DICOM-Dateien, also gibt es keine DICOM-Studie, zu der dies gehören könnte.</translation>
+    </message>
+    <message>
+        <source>Nothing is in focus.</source>
+        <translation>Nichts ist im Fokus.</translation>
+    </message>
+    <message>
+        <source>The region in focus is not complete yet.</source>
+        <translation>Die Region im Fokus ist noch nicht vollständig.</translation>
+    </message>
+    <message>
+        <source>This series was read from an archive file. Unpack it and open the folder.</source>
+        <translation>Diese Serie wurde aus einer Archivdatei gelesen. Entpacken Sie sie und öffnen Sie den Ordner.</translation>
+    </message>
+    <message>
+        <source>The slices of this series do not lie evenly: what is shown is interpolated between them.</source>
+        <translation>Die Schichten dieser Serie liegen nicht gleichmäßig: Das Gezeigte ist zwischen ihnen interpoliert.</translation>
+    </message>
+    <message>
+        <source>There are no key images (View → Keep a key image).</source>
+        <translation>Es gibt keine Schlüsselbilder (Ansicht → Schlüsselbild behalten).</translation>
+    </message>
+    <message>
+        <source>The crosshair of no key image lies in the volume.</source>
+        <translation>Bei keinem Schlüsselbild liegt das Fadenkreuz im Volumen.</translation>
+    </message>
+    <message>
+        <source>There are neither measures nor labels.</source>
+        <translation>Es gibt weder Messungen noch Labels.</translation>
+    </message>
+    <message>
+        <source>There are no labels.</source>
+        <translation>Es gibt keine Labels.</translation>
+    </message>
+    <message>
+        <source>No view is on screen.</source>
+        <translation>Keine Ansicht ist zu sehen.</translation>
+    </message>
+    <message>
+        <source>Slices of the key images: %1</source>
+        <translation>Schichten der Schlüsselbilder: %1</translation>
+    </message>
+    <message>
+        <source>Slices of the key images</source>
+        <translation>Schichten der Schlüsselbilder</translation>
+    </message>
+    <message>
+        <source>This study is not from DICOM files, and archives file by patient and study.</source>
+        <translation>Diese Studie stammt nicht aus DICOM-Dateien, und Archive ordnen nach Patient und Studie.</translation>
+    </message>
+    <message>
+        <source>No server is entered yet (View → Archive).</source>
+        <translation>Noch ist kein Server eingetragen (Ansicht → Archiv).</translation>
+    </message>
+    <message>
+        <source>Region</source>
+        <translation>Region</translation>
+    </message>
+    <message>
+        <source>Values</source>
+        <translation>Werte</translation>
+    </message>
+    <message>
+        <source>Values %1 to %2 %3</source>
+        <translation>Werte %1 bis %2 %3</translation>
+    </message>
+    <message>
+        <source>Drawing the picture…</source>
+        <translation>Das Bild wird gezeichnet…</translation>
+    </message>
+    <message>
+        <source>Wrote %1.</source>
+        <translation>%1 geschrieben.</translation>
+    </message>
+    <message>
+        <source>Nothing was sent: %1</source>
+        <translation>Nichts wurde gesendet: %1</translation>
+    </message>
+    <message>
+        <source>Writing…</source>
+        <translation>Schreibt…</translation>
+    </message>
+</context>
+<context>
     <name>fenestra::viewer::RetrievalRow</name>
     <message>
         <source>Pause</source>
@@ -5886,14 +6148,6 @@ Aus: erst die beste Ansicht, dann die beste daneben</translation>
         <translation>An ein Archiv senden</translation>
     </message>
     <message>
-        <source>Object</source>
-        <translation>Objekt</translation>
-    </message>
-    <message>
-        <source>Answer of the server</source>
-        <translation>Antwort des Servers</translation>
-    </message>
-    <message>
         <source>Send</source>
         <translation>Senden</translation>
     </message>
@@ -5932,6 +6186,17 @@ Aus: erst die beste Ansicht, dann die beste daneben</translation>
     <message>
         <source>Labels</source>
         <translation>Labels</translation>
+    </message>
+</context>
+<context>
+    <name>fenestra::viewer::SentAnswers</name>
+    <message>
+        <source>Object</source>
+        <translation>Objekt</translation>
+    </message>
+    <message>
+        <source>Answer of the server</source>
+        <translation>Antwort des Servers</translation>
     </message>
     <message>
         <source>accepted</source>

@@ -107,10 +107,6 @@
         <translation>Arrastrar o clics</translation>
     </message>
     <message>
-        <source>draw the measure whose tool is chosen; Esc ends it</source>
-        <translation>dibujar la medida elegida; Esc la termina</translation>
-    </message>
-    <message>
         <source>Drag a handle or line</source>
         <translation>Arrastrar un punto o línea</translation>
     </message>
@@ -121,10 +117,6 @@
     <message>
         <source>Right click on it</source>
         <translation>Clic derecho en ella</translation>
-    </message>
-    <message>
-        <source>copy and delete</source>
-        <translation>copiar y eliminar</translation>
     </message>
     <message>
         <source>Clipping, while its tab is in sight</source>
@@ -458,6 +450,22 @@
         <source>rename it</source>
         <translation>cambiar su nombre</translation>
     </message>
+    <message>
+        <source>draw the measure or arrow whose tool is chosen, then type an arrow&apos;s text; Esc ends it</source>
+        <translation>dibujar la medida o la flecha cuya herramienta está elegida y escribir el texto de la flecha; Esc termina</translation>
+    </message>
+    <message>
+        <source>Click, as a text&apos;s tool is chosen</source>
+        <translation>Clic, con la herramienta de texto elegida</translation>
+    </message>
+    <message>
+        <source>place a text, and type it</source>
+        <translation>colocar un texto y escribirlo</translation>
+    </message>
+    <message>
+        <source>copy and delete; change the text of a mark</source>
+        <translation>copiar y eliminar; cambiar el texto de una marca</translation>
+    </message>
 </context>
 <context>
     <name>Fidelity</name>
@@ -779,6 +787,14 @@
         <source>%1 cm²</source>
         <translation>%L1 cm²</translation>
     </message>
+    <message>
+        <source>Arrow</source>
+        <translation>Flecha</translation>
+    </message>
+    <message>
+        <source>Text</source>
+        <translation>Texto</translation>
+    </message>
 </context>
 <context>
     <name>MeasureMenu</name>
@@ -797,6 +813,18 @@
     <message>
         <source>Delete all measures</source>
         <translation>Eliminar todas las medidas</translation>
+    </message>
+    <message>
+        <source>Text of the mark</source>
+        <translation>Texto de la marca</translation>
+    </message>
+    <message>
+        <source>Pictures and sessions hold it: name no patient.</source>
+        <translation>Las imágenes y sesiones lo contienen: no nombre a ningún paciente.</translation>
+    </message>
+    <message>
+        <source>Change the text…</source>
+        <translation>Cambiar el texto…</translation>
     </message>
 </context>
 <context>
@@ -1078,6 +1106,33 @@
     <message>
         <source>There is not enough memory for this picture. Close other programs, or open a smaller volume.</source>
         <translation>No hay memoria suficiente para esta imagen. Cierre otros programas o abra un volumen menor.</translation>
+    </message>
+</context>
+<context>
+    <name>Results</name>
+    <message>
+        <source>Focus</source>
+        <translation>Foco</translation>
+    </message>
+    <message>
+        <source>Measures</source>
+        <translation>Medidas</translation>
+    </message>
+    <message>
+        <source>Labels</source>
+        <translation>Etiquetas</translation>
+    </message>
+    <message>
+        <source>Segments of the measures</source>
+        <translation>Segmentos de las medidas</translation>
+    </message>
+    <message>
+        <source>Picture</source>
+        <translation>Imagen</translation>
+    </message>
+    <message>
+        <source>Key images</source>
+        <translation>Imágenes clave</translation>
     </message>
 </context>
 <context>
@@ -3766,6 +3821,26 @@ Coseno del ángulo con la más próxima de las seis</translation>
         <source>Ctrl+D</source>
         <translation>Ctrl+D</translation>
     </message>
+    <message>
+        <source>Save res&amp;ults…</source>
+        <translation>Guardar re&amp;sultados…</translation>
+    </message>
+    <message>
+        <source>Measures, segmentations, pictures and key images as DICOM objects, to a folder or an archive</source>
+        <translation>Medidas, segmentaciones, imágenes e imágenes clave como objetos DICOM, en una carpeta o un archivo PACS</translation>
+    </message>
+    <message>
+        <source>Arro&amp;w</source>
+        <translation>&amp;Flecha</translation>
+    </message>
+    <message>
+        <source>&amp;Text</source>
+        <translation>&amp;Texto</translation>
+    </message>
+    <message>
+        <source>Change te&amp;xt…</source>
+        <translation>Cambiar te&amp;xto…</translation>
+    </message>
 </context>
 <context>
     <name>fenestra::viewer::AppearancePanel</name>
@@ -5212,6 +5287,10 @@ Coseno del ángulo con la más próxima de las seis</translation>
         <source>Move measure</source>
         <translation>Mover medida</translation>
     </message>
+    <message>
+        <source>Change text</source>
+        <translation>Cambiar el texto</translation>
+    </message>
 </context>
 <context>
     <name>fenestra::viewer::NoticeBar</name>
@@ -5695,6 +5774,189 @@ Desactivado: primero la mejor vista, luego la mejor junto a ella</translation>
     </message>
 </context>
 <context>
+    <name>fenestra::viewer::ResultsDialog</name>
+    <message>
+        <source>Save results</source>
+        <translation>Guardar resultados</translation>
+    </message>
+    <message>
+        <source>Stopped. Nothing was written; an archive keeps what it had taken.</source>
+        <translation>Detenido. No se escribió nada; un archivo PACS conserva lo que ya había aceptado.</translation>
+    </message>
+    <message>
+        <source>Measures and the table of labels, as a report</source>
+        <translation>Medidas y la tabla de etiquetas, como informe</translation>
+    </message>
+    <message>
+        <source>A structured report (TID 1500): distances, angles, areas and values of the measures, volume and values of each label, and the segmentation that these refer to</source>
+        <translation>Un informe estructurado (TID 1500): distancias, ángulos, áreas y valores de las medidas, volumen y valores de cada etiqueta, y la segmentación a la que se refieren</translation>
+    </message>
+    <message>
+        <source>All labels, as a segmentation</source>
+        <translation>Todas las etiquetas, como segmentación</translation>
+    </message>
+    <message>
+        <source>With their names and colours</source>
+        <translation>Con sus nombres y colores</translation>
+    </message>
+    <message>
+        <source>The focus, as a segmentation</source>
+        <translation>El foco, como segmentación</translation>
+    </message>
+    <message>
+        <source>Labels as they are; a region or a range of values as one segment</source>
+        <translation>Las etiquetas tal como son; una región o un intervalo de valores como un segmento</translation>
+    </message>
+    <message>
+        <source>A picture of</source>
+        <translation>Una imagen de</translation>
+    </message>
+    <message>
+        <source>A secondary capture, which says what makes the picture less than exact</source>
+        <translation>Una captura secundaria, que dice qué hace la imagen menos exacta</translation>
+    </message>
+    <message>
+        <source>Views in the picture</source>
+        <translation>Vistas en la imagen</translation>
+    </message>
+    <message>
+        <source>A key object selection, which names slices of the series</source>
+        <translation>Una selección de objetos clave, que nombra cortes de la serie</translation>
+    </message>
+    <message>
+        <source>by the kind of object</source>
+        <translation>según el tipo de objeto</translation>
+    </message>
+    <message>
+        <source>Description of the series</source>
+        <translation>Descripción de la serie</translation>
+    </message>
+    <message>
+        <source>To the folder</source>
+        <translation>A la carpeta</translation>
+    </message>
+    <message>
+        <source>A file for each object</source>
+        <translation>Un fichero para cada objeto</translation>
+    </message>
+    <message>
+        <source>Folder</source>
+        <translation>Carpeta</translation>
+    </message>
+    <message>
+        <source>Choose…</source>
+        <translation>Elegir…</translation>
+    </message>
+    <message>
+        <source>To the archive</source>
+        <translation>Al archivo PACS</translation>
+    </message>
+    <message>
+        <source>The server answers for each object</source>
+        <translation>El servidor responde por cada objeto</translation>
+    </message>
+    <message>
+        <source>Server</source>
+        <translation>Servidor</translation>
+    </message>
+    <message>
+        <source>The objects hold the patient&apos;s name and ID, also while the window hides them: archives and other programs file them by these.</source>
+        <translation>Los objetos contienen el nombre y el ID del paciente, también mientras la ventana los oculta: los archivos PACS y otros programas los ordenan por ellos.</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>Guardar</translation>
+    </message>
+    <message>
+        <source>Folder of the results</source>
+        <translation>Carpeta de los resultados</translation>
+    </message>
+    <message>
+        <source>This study is not from DICOM files, so there is no DICOM study that this could belong to.</source>
+        <translation>Este estudio no proviene de ficheros DICOM, así que no hay estudio DICOM al que pueda pertenecer.</translation>
+    </message>
+    <message>
+        <source>Nothing is in focus.</source>
+        <translation>No hay nada en el foco.</translation>
+    </message>
+    <message>
+        <source>The region in focus is not complete yet.</source>
+        <translation>La región en foco aún no está completa.</translation>
+    </message>
+    <message>
+        <source>This series was read from an archive file. Unpack it and open the folder.</source>
+        <translation>Esta serie se leyó de un fichero comprimido. Descomprímalo y abra la carpeta.</translation>
+    </message>
+    <message>
+        <source>The slices of this series do not lie evenly: what is shown is interpolated between them.</source>
+        <translation>Los cortes de esta serie no están a distancias iguales: lo que se muestra está interpolado entre ellos.</translation>
+    </message>
+    <message>
+        <source>There are no key images (View → Keep a key image).</source>
+        <translation>No hay imágenes clave (Ver → Conservar una imagen clave).</translation>
+    </message>
+    <message>
+        <source>The crosshair of no key image lies in the volume.</source>
+        <translation>En ninguna imagen clave la cruz está dentro del volumen.</translation>
+    </message>
+    <message>
+        <source>There are neither measures nor labels.</source>
+        <translation>No hay ni medidas ni etiquetas.</translation>
+    </message>
+    <message>
+        <source>There are no labels.</source>
+        <translation>No hay etiquetas.</translation>
+    </message>
+    <message>
+        <source>No view is on screen.</source>
+        <translation>No hay ninguna vista en pantalla.</translation>
+    </message>
+    <message>
+        <source>Slices of the key images: %1</source>
+        <translation>Cortes de las imágenes clave: %1</translation>
+    </message>
+    <message>
+        <source>Slices of the key images</source>
+        <translation>Cortes de las imágenes clave</translation>
+    </message>
+    <message>
+        <source>This study is not from DICOM files, and archives file by patient and study.</source>
+        <translation>Este estudio no proviene de ficheros DICOM, y los archivos PACS ordenan por paciente y estudio.</translation>
+    </message>
+    <message>
+        <source>No server is entered yet (View → Archive).</source>
+        <translation>Aún no hay ningún servidor (Ver → Archivo).</translation>
+    </message>
+    <message>
+        <source>Region</source>
+        <translation>Región</translation>
+    </message>
+    <message>
+        <source>Values</source>
+        <translation>Valores</translation>
+    </message>
+    <message>
+        <source>Values %1 to %2 %3</source>
+        <translation>Valores de %1 a %2 %3</translation>
+    </message>
+    <message>
+        <source>Drawing the picture…</source>
+        <translation>Dibujando la imagen…</translation>
+    </message>
+    <message>
+        <source>Wrote %1.</source>
+        <translation>Se escribió %1.</translation>
+    </message>
+    <message>
+        <source>Nothing was sent: %1</source>
+        <translation>No se envió nada: %1</translation>
+    </message>
+    <message>
+        <source>Writing…</source>
+        <translation>Escribiendo…</translation>
+    </message>
+</context>
+<context>
     <name>fenestra::viewer::RetrievalRow</name>
     <message>
         <source>Pause</source>
@@ -5886,14 +6148,6 @@ Desactivado: primero la mejor vista, luego la mejor junto a ella</translation>
         <translation>Enviar a un archivo</translation>
     </message>
     <message>
-        <source>Object</source>
-        <translation>Objeto</translation>
-    </message>
-    <message>
-        <source>Answer of the server</source>
-        <translation>Respuesta del servidor</translation>
-    </message>
-    <message>
         <source>Send</source>
         <translation>Enviar</translation>
     </message>
@@ -5932,6 +6186,17 @@ Desactivado: primero la mejor vista, luego la mejor junto a ella</translation>
     <message>
         <source>Labels</source>
         <translation>Etiquetas</translation>
+    </message>
+</context>
+<context>
+    <name>fenestra::viewer::SentAnswers</name>
+    <message>
+        <source>Object</source>
+        <translation>Objeto</translation>
+    </message>
+    <message>
+        <source>Answer of the server</source>
+        <translation>Respuesta del servidor</translation>
     </message>
     <message>
         <source>accepted</source>

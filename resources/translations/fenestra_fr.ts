@@ -107,10 +107,6 @@
         <translation>Glisser ou clics</translation>
     </message>
     <message>
-        <source>draw the measure whose tool is chosen; Esc ends it</source>
-        <translation>dessiner la mesure choisie&#xa0;; Échap la termine</translation>
-    </message>
-    <message>
         <source>Drag a handle or line</source>
         <translation>Glisser une poignée ou ligne</translation>
     </message>
@@ -121,10 +117,6 @@
     <message>
         <source>Right click on it</source>
         <translation>Clic droit dessus</translation>
-    </message>
-    <message>
-        <source>copy and delete</source>
-        <translation>copier et supprimer</translation>
     </message>
     <message>
         <source>Clipping, while its tab is in sight</source>
@@ -458,6 +450,22 @@
         <source>rename it</source>
         <translation>la renommer</translation>
     </message>
+    <message>
+        <source>draw the measure or arrow whose tool is chosen, then type an arrow&apos;s text; Esc ends it</source>
+        <translation>tracer la mesure ou la flèche dont l&apos;outil est choisi, puis saisir le texte de la flèche ; Échap termine</translation>
+    </message>
+    <message>
+        <source>Click, as a text&apos;s tool is chosen</source>
+        <translation>Clic, quand l&apos;outil de texte est choisi</translation>
+    </message>
+    <message>
+        <source>place a text, and type it</source>
+        <translation>placer un texte et le saisir</translation>
+    </message>
+    <message>
+        <source>copy and delete; change the text of a mark</source>
+        <translation>copier et supprimer ; changer le texte d&apos;une marque</translation>
+    </message>
 </context>
 <context>
     <name>Fidelity</name>
@@ -779,6 +787,14 @@
         <source>%1 cm²</source>
         <translation>%L1 cm²</translation>
     </message>
+    <message>
+        <source>Arrow</source>
+        <translation>Flèche</translation>
+    </message>
+    <message>
+        <source>Text</source>
+        <translation>Texte</translation>
+    </message>
 </context>
 <context>
     <name>MeasureMenu</name>
@@ -797,6 +813,18 @@
     <message>
         <source>Delete all measures</source>
         <translation>Supprimer toutes les mesures</translation>
+    </message>
+    <message>
+        <source>Text of the mark</source>
+        <translation>Texte de la marque</translation>
+    </message>
+    <message>
+        <source>Pictures and sessions hold it: name no patient.</source>
+        <translation>Les images et les sessions le contiennent : ne nommez aucun patient.</translation>
+    </message>
+    <message>
+        <source>Change the text…</source>
+        <translation>Changer le texte…</translation>
     </message>
 </context>
 <context>
@@ -1078,6 +1106,33 @@
     <message>
         <source>There is not enough memory for this picture. Close other programs, or open a smaller volume.</source>
         <translation>Pas assez de mémoire pour cette image. Fermez d&apos;autres programmes, ou ouvrez un volume plus petit.</translation>
+    </message>
+</context>
+<context>
+    <name>Results</name>
+    <message>
+        <source>Focus</source>
+        <translation>Cible</translation>
+    </message>
+    <message>
+        <source>Measures</source>
+        <translation>Mesures</translation>
+    </message>
+    <message>
+        <source>Labels</source>
+        <translation>Étiquettes</translation>
+    </message>
+    <message>
+        <source>Segments of the measures</source>
+        <translation>Segments des mesures</translation>
+    </message>
+    <message>
+        <source>Picture</source>
+        <translation>Image</translation>
+    </message>
+    <message>
+        <source>Key images</source>
+        <translation>Images clés</translation>
     </message>
 </context>
 <context>
@@ -3766,6 +3821,26 @@ Cosinus de l&apos;angle avec la plus proche des six</translation>
         <source>Ctrl+D</source>
         <translation>Ctrl+D</translation>
     </message>
+    <message>
+        <source>Save res&amp;ults…</source>
+        <translation>Enregistrer les résultats…</translation>
+    </message>
+    <message>
+        <source>Measures, segmentations, pictures and key images as DICOM objects, to a folder or an archive</source>
+        <translation>Mesures, segmentations, images et images clés comme objets DICOM, dans un dossier ou une archive</translation>
+    </message>
+    <message>
+        <source>Arro&amp;w</source>
+        <translation>&amp;Flèche</translation>
+    </message>
+    <message>
+        <source>&amp;Text</source>
+        <translation>&amp;Texte</translation>
+    </message>
+    <message>
+        <source>Change te&amp;xt…</source>
+        <translation>Changer le te&amp;xte…</translation>
+    </message>
 </context>
 <context>
     <name>fenestra::viewer::AppearancePanel</name>
@@ -4717,7 +4792,7 @@ Cosinus de l&apos;angle avec la plus proche des six</translation>
     <name>fenestra::viewer::KeyImages</name>
     <message>
         <source>Key image %1</source>
-        <translation>Image clé %1</translation>
+        <translation>Image clé&#xa0;%1</translation>
     </message>
     <message>
         <source>Keep a key image</source>
@@ -5195,7 +5270,7 @@ Cosinus de l&apos;angle avec la plus proche des six</translation>
     </message>
     <message>
         <source>There are %1 key images; delete some to keep another.</source>
-        <translation>Il y a %1 images clés ; supprimez-en pour en garder une autre.</translation>
+        <translation>Il y a&#xa0;%1 images clés&#xa0;; supprimez-en pour en garder une autre.</translation>
     </message>
 </context>
 <context>
@@ -5211,6 +5286,10 @@ Cosinus de l&apos;angle avec la plus proche des six</translation>
     <message>
         <source>Move measure</source>
         <translation>Déplacer la mesure</translation>
+    </message>
+    <message>
+        <source>Change text</source>
+        <translation>Changer le texte</translation>
     </message>
 </context>
 <context>
@@ -5695,6 +5774,189 @@ Sinon&#xa0;: d&apos;abord la meilleure vue, puis la meilleure à côté</transla
     </message>
 </context>
 <context>
+    <name>fenestra::viewer::ResultsDialog</name>
+    <message>
+        <source>Save results</source>
+        <translation>Enregistrer les résultats</translation>
+    </message>
+    <message>
+        <source>Stopped. Nothing was written; an archive keeps what it had taken.</source>
+        <translation>Arrêté. Rien n&apos;a été écrit ; une archive garde ce qu&apos;elle avait accepté.</translation>
+    </message>
+    <message>
+        <source>Measures and the table of labels, as a report</source>
+        <translation>Mesures et tableau des étiquettes, comme rapport</translation>
+    </message>
+    <message>
+        <source>A structured report (TID 1500): distances, angles, areas and values of the measures, volume and values of each label, and the segmentation that these refer to</source>
+        <translation>Un rapport structuré (TID 1500) : distances, angles, aires et valeurs des mesures, volume et valeurs de chaque étiquette, et la segmentation à laquelle ils se rapportent</translation>
+    </message>
+    <message>
+        <source>All labels, as a segmentation</source>
+        <translation>Toutes les étiquettes, comme segmentation</translation>
+    </message>
+    <message>
+        <source>With their names and colours</source>
+        <translation>Avec leurs noms et couleurs</translation>
+    </message>
+    <message>
+        <source>The focus, as a segmentation</source>
+        <translation>La cible, comme segmentation</translation>
+    </message>
+    <message>
+        <source>Labels as they are; a region or a range of values as one segment</source>
+        <translation>Les étiquettes telles quelles ; une région ou une plage de valeurs comme un segment</translation>
+    </message>
+    <message>
+        <source>A picture of</source>
+        <translation>Une image de</translation>
+    </message>
+    <message>
+        <source>A secondary capture, which says what makes the picture less than exact</source>
+        <translation>Une capture secondaire, qui dit ce qui rend l&apos;image moins exacte</translation>
+    </message>
+    <message>
+        <source>Views in the picture</source>
+        <translation>Vues dans l&apos;image</translation>
+    </message>
+    <message>
+        <source>A key object selection, which names slices of the series</source>
+        <translation>Une sélection d&apos;objets clés, qui nomme des coupes de la série</translation>
+    </message>
+    <message>
+        <source>by the kind of object</source>
+        <translation>selon le type d&apos;objet</translation>
+    </message>
+    <message>
+        <source>Description of the series</source>
+        <translation>Description de la série</translation>
+    </message>
+    <message>
+        <source>To the folder</source>
+        <translation>Dans le dossier</translation>
+    </message>
+    <message>
+        <source>A file for each object</source>
+        <translation>Un fichier pour chaque objet</translation>
+    </message>
+    <message>
+        <source>Folder</source>
+        <translation>Dossier</translation>
+    </message>
+    <message>
+        <source>Choose…</source>
+        <translation>Choisir…</translation>
+    </message>
+    <message>
+        <source>To the archive</source>
+        <translation>Vers l&apos;archive</translation>
+    </message>
+    <message>
+        <source>The server answers for each object</source>
+        <translation>Le serveur répond pour chaque objet</translation>
+    </message>
+    <message>
+        <source>Server</source>
+        <translation>Serveur</translation>
+    </message>
+    <message>
+        <source>The objects hold the patient&apos;s name and ID, also while the window hides them: archives and other programs file them by these.</source>
+        <translation>Les objets contiennent le nom et l&apos;ID du patient, même quand la fenêtre les masque : archives et autres programmes les classent par eux.</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>Enregistrer</translation>
+    </message>
+    <message>
+        <source>Folder of the results</source>
+        <translation>Dossier des résultats</translation>
+    </message>
+    <message>
+        <source>This study is not from DICOM files, so there is no DICOM study that this could belong to.</source>
+        <translation>Cet examen ne vient pas de fichiers DICOM : il n&apos;y a pas d&apos;examen DICOM auquel cela pourrait appartenir.</translation>
+    </message>
+    <message>
+        <source>Nothing is in focus.</source>
+        <translation>Rien n&apos;est ciblé.</translation>
+    </message>
+    <message>
+        <source>The region in focus is not complete yet.</source>
+        <translation>La région ciblée n&apos;est pas encore complète.</translation>
+    </message>
+    <message>
+        <source>This series was read from an archive file. Unpack it and open the folder.</source>
+        <translation>Cette série a été lue d&apos;un fichier compressé. Décompressez-le et ouvrez le dossier.</translation>
+    </message>
+    <message>
+        <source>The slices of this series do not lie evenly: what is shown is interpolated between them.</source>
+        <translation>Les coupes de cette série ne sont pas régulières : ce qui est montré est interpolé entre elles.</translation>
+    </message>
+    <message>
+        <source>There are no key images (View → Keep a key image).</source>
+        <translation>Il n&apos;y a pas d&apos;images clés (Affichage → Garder une image clé).</translation>
+    </message>
+    <message>
+        <source>The crosshair of no key image lies in the volume.</source>
+        <translation>Le réticule d&apos;aucune image clé n&apos;est dans le volume.</translation>
+    </message>
+    <message>
+        <source>There are neither measures nor labels.</source>
+        <translation>Il n&apos;y a ni mesures ni étiquettes.</translation>
+    </message>
+    <message>
+        <source>There are no labels.</source>
+        <translation>Il n&apos;y a pas d&apos;étiquettes.</translation>
+    </message>
+    <message>
+        <source>No view is on screen.</source>
+        <translation>Aucune vue n&apos;est à l&apos;écran.</translation>
+    </message>
+    <message>
+        <source>Slices of the key images: %1</source>
+        <translation>Coupes des images clés : %1</translation>
+    </message>
+    <message>
+        <source>Slices of the key images</source>
+        <translation>Coupes des images clés</translation>
+    </message>
+    <message>
+        <source>This study is not from DICOM files, and archives file by patient and study.</source>
+        <translation>Cet examen ne vient pas de fichiers DICOM, et les archives classent par patient et examen.</translation>
+    </message>
+    <message>
+        <source>No server is entered yet (View → Archive).</source>
+        <translation>Aucun serveur n&apos;est encore saisi (Affichage → Archive).</translation>
+    </message>
+    <message>
+        <source>Region</source>
+        <translation>Région</translation>
+    </message>
+    <message>
+        <source>Values</source>
+        <translation>Valeurs</translation>
+    </message>
+    <message>
+        <source>Values %1 to %2 %3</source>
+        <translation>Valeurs de %1 à %2 %3</translation>
+    </message>
+    <message>
+        <source>Drawing the picture…</source>
+        <translation>Dessin de l&apos;image…</translation>
+    </message>
+    <message>
+        <source>Wrote %1.</source>
+        <translation>%1 écrit.</translation>
+    </message>
+    <message>
+        <source>Nothing was sent: %1</source>
+        <translation>Rien n&apos;a été envoyé : %1</translation>
+    </message>
+    <message>
+        <source>Writing…</source>
+        <translation>Écriture…</translation>
+    </message>
+</context>
+<context>
     <name>fenestra::viewer::RetrievalRow</name>
     <message>
         <source>Pause</source>
@@ -5886,14 +6148,6 @@ Sinon&#xa0;: d&apos;abord la meilleure vue, puis la meilleure à côté</transla
         <translation>Envoyer à une archive</translation>
     </message>
     <message>
-        <source>Object</source>
-        <translation>Objet</translation>
-    </message>
-    <message>
-        <source>Answer of the server</source>
-        <translation>Réponse du serveur</translation>
-    </message>
-    <message>
         <source>Send</source>
         <translation>Envoyer</translation>
     </message>
@@ -5932,6 +6186,17 @@ Sinon&#xa0;: d&apos;abord la meilleure vue, puis la meilleure à côté</transla
     <message>
         <source>Labels</source>
         <translation>Étiquettes</translation>
+    </message>
+</context>
+<context>
+    <name>fenestra::viewer::SentAnswers</name>
+    <message>
+        <source>Object</source>
+        <translation>Objet</translation>
+    </message>
+    <message>
+        <source>Answer of the server</source>
+        <translation>Réponse du serveur</translation>
     </message>
     <message>
         <source>accepted</source>

@@ -107,10 +107,6 @@
         <translation>拖动或单击</translation>
     </message>
     <message>
-        <source>draw the measure whose tool is chosen; Esc ends it</source>
-        <translation>绘制所选的测量；Esc 结束</translation>
-    </message>
-    <message>
         <source>Drag a handle or line</source>
         <translation>拖动端点或线</translation>
     </message>
@@ -121,10 +117,6 @@
     <message>
         <source>Right click on it</source>
         <translation>右键单击测量</translation>
-    </message>
-    <message>
-        <source>copy and delete</source>
-        <translation>复制与删除</translation>
     </message>
     <message>
         <source>Clipping, while its tab is in sight</source>
@@ -458,6 +450,22 @@
         <source>rename it</source>
         <translation>重命名</translation>
     </message>
+    <message>
+        <source>draw the measure or arrow whose tool is chosen, then type an arrow&apos;s text; Esc ends it</source>
+        <translation>绘制所选工具的测量或箭头，然后输入箭头的文字；Esc 结束</translation>
+    </message>
+    <message>
+        <source>Click, as a text&apos;s tool is chosen</source>
+        <translation>选择文字工具时单击</translation>
+    </message>
+    <message>
+        <source>place a text, and type it</source>
+        <translation>放置文字并输入</translation>
+    </message>
+    <message>
+        <source>copy and delete; change the text of a mark</source>
+        <translation>复制和删除；更改标记的文字</translation>
+    </message>
 </context>
 <context>
     <name>Fidelity</name>
@@ -779,6 +787,14 @@
         <source>%1 cm²</source>
         <translation>%L1 cm²</translation>
     </message>
+    <message>
+        <source>Arrow</source>
+        <translation>箭头</translation>
+    </message>
+    <message>
+        <source>Text</source>
+        <translation>文字</translation>
+    </message>
 </context>
 <context>
     <name>MeasureMenu</name>
@@ -797,6 +813,18 @@
     <message>
         <source>Delete all measures</source>
         <translation>删除全部测量</translation>
+    </message>
+    <message>
+        <source>Text of the mark</source>
+        <translation>标记的文字</translation>
+    </message>
+    <message>
+        <source>Pictures and sessions hold it: name no patient.</source>
+        <translation>图片和会话会包含它：请勿写出患者姓名。</translation>
+    </message>
+    <message>
+        <source>Change the text…</source>
+        <translation>更改文字…</translation>
     </message>
 </context>
 <context>
@@ -1078,6 +1106,33 @@
     <message>
         <source>There is not enough memory for this picture. Close other programs, or open a smaller volume.</source>
         <translation>内存不足以绘制此图像。请关闭其他程序，或打开较小的体数据。</translation>
+    </message>
+</context>
+<context>
+    <name>Results</name>
+    <message>
+        <source>Focus</source>
+        <translation>焦点</translation>
+    </message>
+    <message>
+        <source>Measures</source>
+        <translation>测量</translation>
+    </message>
+    <message>
+        <source>Labels</source>
+        <translation>标签</translation>
+    </message>
+    <message>
+        <source>Segments of the measures</source>
+        <translation>测量的分割</translation>
+    </message>
+    <message>
+        <source>Picture</source>
+        <translation>图片</translation>
+    </message>
+    <message>
+        <source>Key images</source>
+        <translation>关键图像</translation>
     </message>
 </context>
 <context>
@@ -3765,6 +3820,26 @@ Cosine of the angle to the nearest of the six</source>
         <source>Ctrl+D</source>
         <translation>Ctrl+D</translation>
     </message>
+    <message>
+        <source>Save res&amp;ults…</source>
+        <translation>保存结果(&amp;U)…</translation>
+    </message>
+    <message>
+        <source>Measures, segmentations, pictures and key images as DICOM objects, to a folder or an archive</source>
+        <translation>将测量、分割、图片和关键图像作为 DICOM 对象保存到文件夹或归档服务器</translation>
+    </message>
+    <message>
+        <source>Arro&amp;w</source>
+        <translation>箭头(&amp;W)</translation>
+    </message>
+    <message>
+        <source>&amp;Text</source>
+        <translation>文字(&amp;T)</translation>
+    </message>
+    <message>
+        <source>Change te&amp;xt…</source>
+        <translation>更改文字(&amp;X)…</translation>
+    </message>
 </context>
 <context>
     <name>fenestra::viewer::AppearancePanel</name>
@@ -5210,6 +5285,10 @@ Cosine of the angle to the nearest of the six</source>
         <source>Move measure</source>
         <translation>移动测量</translation>
     </message>
+    <message>
+        <source>Change text</source>
+        <translation>更改文字</translation>
+    </message>
 </context>
 <context>
     <name>fenestra::viewer::NoticeBar</name>
@@ -5691,6 +5770,189 @@ Off: first the best view, then the best one beside it</source>
     </message>
 </context>
 <context>
+    <name>fenestra::viewer::ResultsDialog</name>
+    <message>
+        <source>Save results</source>
+        <translation>保存结果</translation>
+    </message>
+    <message>
+        <source>Stopped. Nothing was written; an archive keeps what it had taken.</source>
+        <translation>已停止。没有写入任何内容；归档服务器保留已接收的对象。</translation>
+    </message>
+    <message>
+        <source>Measures and the table of labels, as a report</source>
+        <translation>测量和标签表，作为报告</translation>
+    </message>
+    <message>
+        <source>A structured report (TID 1500): distances, angles, areas and values of the measures, volume and values of each label, and the segmentation that these refer to</source>
+        <translation>结构化报告（TID 1500）：测量的距离、角度、面积和数值，每个标签的体积和数值，以及它们所指的分割</translation>
+    </message>
+    <message>
+        <source>All labels, as a segmentation</source>
+        <translation>所有标签，作为分割</translation>
+    </message>
+    <message>
+        <source>With their names and colours</source>
+        <translation>包括名称和颜色</translation>
+    </message>
+    <message>
+        <source>The focus, as a segmentation</source>
+        <translation>焦点，作为分割</translation>
+    </message>
+    <message>
+        <source>Labels as they are; a region or a range of values as one segment</source>
+        <translation>标签保持原样；区域或数值范围作为一个分割</translation>
+    </message>
+    <message>
+        <source>A picture of</source>
+        <translation>图片：</translation>
+    </message>
+    <message>
+        <source>A secondary capture, which says what makes the picture less than exact</source>
+        <translation>二次捕获图像，其中说明图片为何不完全精确</translation>
+    </message>
+    <message>
+        <source>Views in the picture</source>
+        <translation>图片中的视图</translation>
+    </message>
+    <message>
+        <source>A key object selection, which names slices of the series</source>
+        <translation>关键对象选择，指明序列中的层面</translation>
+    </message>
+    <message>
+        <source>by the kind of object</source>
+        <translation>按对象类型</translation>
+    </message>
+    <message>
+        <source>Description of the series</source>
+        <translation>序列描述</translation>
+    </message>
+    <message>
+        <source>To the folder</source>
+        <translation>到文件夹</translation>
+    </message>
+    <message>
+        <source>A file for each object</source>
+        <translation>每个对象一个文件</translation>
+    </message>
+    <message>
+        <source>Folder</source>
+        <translation>文件夹</translation>
+    </message>
+    <message>
+        <source>Choose…</source>
+        <translation>选择…</translation>
+    </message>
+    <message>
+        <source>To the archive</source>
+        <translation>到归档服务器</translation>
+    </message>
+    <message>
+        <source>The server answers for each object</source>
+        <translation>服务器对每个对象作出应答</translation>
+    </message>
+    <message>
+        <source>Server</source>
+        <translation>服务器</translation>
+    </message>
+    <message>
+        <source>The objects hold the patient&apos;s name and ID, also while the window hides them: archives and other programs file them by these.</source>
+        <translation>这些对象包含患者姓名和 ID，即使窗口隐藏了它们：归档服务器和其他程序据此归档。</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>保存</translation>
+    </message>
+    <message>
+        <source>Folder of the results</source>
+        <translation>结果文件夹</translation>
+    </message>
+    <message>
+        <source>This study is not from DICOM files, so there is no DICOM study that this could belong to.</source>
+        <translation>此检查不是来自 DICOM 文件，因此没有可归属的 DICOM 检查。</translation>
+    </message>
+    <message>
+        <source>Nothing is in focus.</source>
+        <translation>没有焦点。</translation>
+    </message>
+    <message>
+        <source>The region in focus is not complete yet.</source>
+        <translation>焦点区域尚未完成。</translation>
+    </message>
+    <message>
+        <source>This series was read from an archive file. Unpack it and open the folder.</source>
+        <translation>此序列读自压缩文件。请解压后打开文件夹。</translation>
+    </message>
+    <message>
+        <source>The slices of this series do not lie evenly: what is shown is interpolated between them.</source>
+        <translation>此序列的层面间距不均匀：显示的内容是在层面之间插值得到的。</translation>
+    </message>
+    <message>
+        <source>There are no key images (View → Keep a key image).</source>
+        <translation>没有关键图像（视图 → 保留关键图像）。</translation>
+    </message>
+    <message>
+        <source>The crosshair of no key image lies in the volume.</source>
+        <translation>没有关键图像的十字线位于体积内。</translation>
+    </message>
+    <message>
+        <source>There are neither measures nor labels.</source>
+        <translation>既没有测量也没有标签。</translation>
+    </message>
+    <message>
+        <source>There are no labels.</source>
+        <translation>没有标签。</translation>
+    </message>
+    <message>
+        <source>No view is on screen.</source>
+        <translation>屏幕上没有视图。</translation>
+    </message>
+    <message>
+        <source>Slices of the key images: %1</source>
+        <translation>关键图像的层面：%1</translation>
+    </message>
+    <message>
+        <source>Slices of the key images</source>
+        <translation>关键图像的层面</translation>
+    </message>
+    <message>
+        <source>This study is not from DICOM files, and archives file by patient and study.</source>
+        <translation>此检查不是来自 DICOM 文件，而归档服务器按患者和检查归档。</translation>
+    </message>
+    <message>
+        <source>No server is entered yet (View → Archive).</source>
+        <translation>尚未添加服务器（视图 → 归档）。</translation>
+    </message>
+    <message>
+        <source>Region</source>
+        <translation>区域</translation>
+    </message>
+    <message>
+        <source>Values</source>
+        <translation>数值</translation>
+    </message>
+    <message>
+        <source>Values %1 to %2 %3</source>
+        <translation>数值 %1 至 %2 %3</translation>
+    </message>
+    <message>
+        <source>Drawing the picture…</source>
+        <translation>正在绘制图片…</translation>
+    </message>
+    <message>
+        <source>Wrote %1.</source>
+        <translation>已写入 %1。</translation>
+    </message>
+    <message>
+        <source>Nothing was sent: %1</source>
+        <translation>没有发送任何内容：%1</translation>
+    </message>
+    <message>
+        <source>Writing…</source>
+        <translation>正在写入…</translation>
+    </message>
+</context>
+<context>
     <name>fenestra::viewer::RetrievalRow</name>
     <message>
         <source>Pause</source>
@@ -5882,14 +6144,6 @@ Off: first the best view, then the best one beside it</source>
         <translation>发送到归档</translation>
     </message>
     <message>
-        <source>Object</source>
-        <translation>对象</translation>
-    </message>
-    <message>
-        <source>Answer of the server</source>
-        <translation>服务器的应答</translation>
-    </message>
-    <message>
         <source>Send</source>
         <translation>发送</translation>
     </message>
@@ -5928,6 +6182,17 @@ Off: first the best view, then the best one beside it</source>
     <message>
         <source>Labels</source>
         <translation>标签</translation>
+    </message>
+</context>
+<context>
+    <name>fenestra::viewer::SentAnswers</name>
+    <message>
+        <source>Object</source>
+        <translation>对象</translation>
+    </message>
+    <message>
+        <source>Answer of the server</source>
+        <translation>服务器的应答</translation>
     </message>
     <message>
         <source>accepted</source>

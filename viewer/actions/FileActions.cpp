@@ -65,7 +65,7 @@ void Actions::makeFileMenu() {
   menu->addSeparator();
   menu->addActions({save, saveAs});
   addExports(*menu);
-  menu->addAction(volumeAction(tr("Save &results…"), {}, [this] { targets_.saveResults(); }));
+  menu->addAction(volumeAction(tr("Save res&ults…"), {}, [this] { targets_.saveResults(); }));
   menu->actions().constLast()->setObjectName(QStringLiteral("saveResults"));
   menu->actions().constLast()->setToolTip(
       tr("Measures, segmentations, pictures and key images as DICOM objects, to a folder or an archive"));

@@ -64,7 +64,7 @@ ResultsDialog::ResultsDialog(const Parts& parts, QWidget* parent)
   connect(&job_, &LoadJob::failed, this, fail);
   connect(&job_, &LoadJob::progressed, this, [this](double fraction, const QString& doing) {
     progress_->setValue(static_cast<int>(1000.0 * fraction));
-    status_->setText(doing);
+    status_->setText(doing.isEmpty() ? tr("Writing…") : doing);
   });
   connect(&job_, &LoadJob::ended, this, [this] {
     progress_->setVisible(job_.isRunning());

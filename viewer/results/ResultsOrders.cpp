@@ -84,7 +84,7 @@ void ResultsDialog::refresh() {
   const QString keyProblem = problemOfKeys();
   offer(keys_, keyProblem);
   keys_.box->setText(keyProblem.isEmpty()
-                         ? tr("Slices of the key images: %n", nullptr, static_cast<int>(keySlices().size()))
+                         ? tr("Slices of the key images: %1").arg(keySlices().size())
                          : tr("Slices of the key images"));
   offer(folder_, {});
   offer(archive_, !notDicom.isEmpty()

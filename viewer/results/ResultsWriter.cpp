@@ -67,7 +67,7 @@ void writeFocus(const ResultsOrder& order, Staged& staged, const io::Progress& p
 void writeAll(const ResultsOrder& order, Staged& staged, const io::Progress& progress) {
   const std::string description = order.description.toStdString();
   const auto step = [&](double fraction) {
-    if (progress && !progress(fraction, "writing")) throw io::Cancelled();
+    if (progress && !progress(fraction, {})) throw io::Cancelled();
   };
   step(0.0);
   bool hasSegments = false;
@@ -144,7 +144,7 @@ ResultsOutcome writeResults(const ResultsOrder& order, const io::Progress& progr
     } catch (const std::exception& error) {
       outcome.sendingProblem = windowText(error);
     }
-  if (progress && !progress(1.0, "writing")) throw io::Cancelled();
+  if (progress && !progress(1.0, {})) throw io::Cancelled();
   if (order.folder) outcome.written = moved(staged, *order.folder);
   return outcome;
 }
