@@ -5,6 +5,7 @@
 #include <utility>
 
 #include <QBuffer>
+#include <QImageReader>
 
 #include "viewer/model/CamerasChange.h"
 #include "viewer/model/Document.h"
@@ -146,10 +147,13 @@ void KeyImages::move(std::size_t from, std::size_t to) {
 }
 
 QImage KeyImages::pictureOf(const io::KeyImage& image) {
-  const QByteArray bytes = QByteArray::fromBase64(QByteArray::fromStdString(image.picture));
-  // Another format, or a size out of proportion, is none of ours.
-  const QImage picture = QImage::fromData(bytes, "PNG");
-  return picture.width() <= keyPictureSize.width() && picture.height() <= keyPictureSize.height() ? picture : QImage();
+  QByteArray bytes = QByteArray::fromBase64(QByteArray::fromStdString(image.picture));
+  QBuffer buffer(&bytes);
+  QImageReader reader(&buffer, "PNG");
+  // Another format, or a size out of proportion, is none of ours; a few bytes may claim gigabytes of pixels.
+  const QSize size = reader.size();
+  if (size.isEmpty() || size.width() > keyPictureSize.width() || size.height() > keyPictureSize.height()) return {};
+  return reader.read();
 }
 
 }  // namespace fenestra::viewer
