@@ -114,7 +114,8 @@ Json reportCapture(const io::Study& study, const ReportOptions& options) {
 }
 
 Json reportKeys(const io::Study& study, const ReportOptions& options) {
-  io::writeKeySlices(sourceOf(study, options), options.slices, options.description, options.output);
+  io::writeKeySlices(sourceOf(study, options), options.slices, {options.description, options.description},
+                     options.output);
   return {{"slices", options.slices}};
 }
 

@@ -37,7 +37,7 @@ void writeKeyObjects(const KeyObjects& objects, const std::vector<fs::path>& ser
   readOrigin(series[objects.images.front().file], origin);
 
   DSRDocument document(DSRTypes::DT_KeyObjectSelectionDocument);
-  beginDocument(document, origin, objects.description.empty() ? "Key objects" : objects.description, "1002", file);
+  beginDocument(document, origin, objects.series.empty() ? "Key objects" : objects.series, "1002", file);
   DSRDocumentTree& tree = document.getTree();
   tree.addContentItem(DSRTypes::RT_isRoot, DSRTypes::VT_Container);
   require(tree.getCurrentContentItem().setConceptName(CODE_DCM_OfInterest), file, "its title");

@@ -61,7 +61,8 @@ void writeCapture(const Capture& capture, const std::vector<std::filesystem::pat
 /// Images that are of interest.
 struct KeyObjects {
   std::vector<SliceSource> images;  ///< at least one; files as in the series
-  std::string description = {};     ///< why, of the selection and of its series; may be empty
+  std::string description = {};     ///< why; may be empty
+  std::string series = {};          ///< description of the series; empty: "Key objects"
 };
 
 /// Writes a key object selection (PS3.3 A.35.4) by TID 2010 with the title "Of Interest".

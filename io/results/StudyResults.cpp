@@ -58,14 +58,15 @@ MeasuresWritten writeMeasures(const ResultSource& source, const MeasuresOutput& 
   return {measures.labels.size(), measures.drawn.size()};
 }
 
-void writeKeySlices(const ResultSource& source, const std::vector<int>& slices, const std::string& description,
+void writeKeySlices(const ResultSource& source, const std::vector<int>& slices, const KeyTexts& texts,
                     const std::filesystem::path& file) {
   const std::vector<std::filesystem::path>& files = dicomFilesOf(source);
   if (source.slices.empty())
     throw Error(source.name, "is an archive, whose slices cannot be told apart", "unpack it and open the folder");
   const int count = static_cast<int>(source.slices.size());
   report::KeyObjects keys;
-  keys.description = description;
+  keys.description = texts.why;
+  keys.series = texts.series;
   for (const int slice : slices) {
     if (slice < 0 || slice >= count)
       throw Error(source.name, "there is no slice " + std::to_string(slice),

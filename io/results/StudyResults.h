@@ -50,8 +50,12 @@ struct MeasuresWritten {
 /// The table of labels and the measures, marks left out, as a structured report, and the segments that it is about.
 MeasuresWritten writeMeasures(const ResultSource& source, const MeasuresOutput& output, const Progress& progress);
 
-/// A key object selection of slices as scanned, from 0. `description` says why; may be empty.
-void writeKeySlices(const ResultSource& source, const std::vector<int>& slices, const std::string& description,
+/// Why slices were chosen, and the description of the selection's series; both may be empty.
+struct KeyTexts {
+  std::string why, series;
+};
+/// A key object selection of slices as scanned, from 0.
+void writeKeySlices(const ResultSource& source, const std::vector<int>& slices, const KeyTexts& texts,
                     const std::filesystem::path& file);
 
 }  // namespace fenestra::io

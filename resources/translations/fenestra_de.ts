@@ -5780,6 +5780,10 @@ Aus: erst die beste Ansicht, dann die beste daneben</translation>
         <translation>Ergebnisse speichern</translation>
     </message>
     <message>
+        <source>Writing…</source>
+        <translation>Schreibt…</translation>
+    </message>
+    <message>
         <source>Stopped. Nothing was written; an archive keeps what it had taken.</source>
         <translation>Angehalten. Nichts wurde geschrieben; ein Archiv behält, was es schon angenommen hatte.</translation>
     </message>
@@ -5950,10 +5954,6 @@ Aus: erst die beste Ansicht, dann die beste daneben</translation>
     <message>
         <source>Nothing was sent: %1</source>
         <translation>Nichts wurde gesendet: %1</translation>
-    </message>
-    <message>
-        <source>Writing…</source>
-        <translation>Schreibt…</translation>
     </message>
 </context>
 <context>

@@ -5780,6 +5780,10 @@ Desactivado: primero la mejor vista, luego la mejor junto a ella</translation>
         <translation>Guardar resultados</translation>
     </message>
     <message>
+        <source>Writing…</source>
+        <translation>Escribiendo…</translation>
+    </message>
+    <message>
         <source>Stopped. Nothing was written; an archive keeps what it had taken.</source>
         <translation>Detenido. No se escribió nada; un archivo PACS conserva lo que ya había aceptado.</translation>
     </message>
@@ -5950,10 +5954,6 @@ Desactivado: primero la mejor vista, luego la mejor junto a ella</translation>
     <message>
         <source>Nothing was sent: %1</source>
         <translation>No se envió nada: %1</translation>
-    </message>
-    <message>
-        <source>Writing…</source>
-        <translation>Escribiendo…</translation>
     </message>
 </context>
 <context>

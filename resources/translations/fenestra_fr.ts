@@ -5780,6 +5780,10 @@ Sinon&#xa0;: d&apos;abord la meilleure vue, puis la meilleure à côté</transla
         <translation>Enregistrer les résultats</translation>
     </message>
     <message>
+        <source>Writing…</source>
+        <translation>Écriture…</translation>
+    </message>
+    <message>
         <source>Stopped. Nothing was written; an archive keeps what it had taken.</source>
         <translation>Arrêté. Rien n&apos;a été écrit ; une archive garde ce qu&apos;elle avait accepté.</translation>
     </message>
@@ -5950,10 +5954,6 @@ Sinon&#xa0;: d&apos;abord la meilleure vue, puis la meilleure à côté</transla
     <message>
         <source>Nothing was sent: %1</source>
         <translation>Rien n&apos;a été envoyé : %1</translation>
-    </message>
-    <message>
-        <source>Writing…</source>
-        <translation>Écriture…</translation>
     </message>
 </context>
 <context>

@@ -5776,6 +5776,10 @@ Off: first the best view, then the best one beside it</source>
         <translation>保存结果</translation>
     </message>
     <message>
+        <source>Writing…</source>
+        <translation>正在写入…</translation>
+    </message>
+    <message>
         <source>Stopped. Nothing was written; an archive keeps what it had taken.</source>
         <translation>已停止。没有写入任何内容；归档服务器保留已接收的对象。</translation>
     </message>
@@ -5946,10 +5950,6 @@ Off: first the best view, then the best one beside it</source>
     <message>
         <source>Nothing was sent: %1</source>
         <translation>没有发送任何内容：%1</translation>
-    </message>
-    <message>
-        <source>Writing…</source>
-        <translation>正在写入…</translation>
     </message>
 </context>
 <context>

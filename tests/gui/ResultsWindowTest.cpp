@@ -1,6 +1,8 @@
 // Results of a study as DICOM objects, saved from the window and read again.
 
-#include <map>
+#include <algorithm>
+#include <fstream>
+#include <set>
 
 #include <QAction>
 #include <QCheckBox>
@@ -33,6 +35,7 @@ class ResultsWindow : public ArchiveWindow {
     auto labels = std::make_shared<LabelMap>();
     labels->grid = document().scene().volume->grid;
     labels->voxels = Voxels(ScalarType::UInt8, labels->grid.voxelCount());
+    std::ranges::fill(labels->voxels.as<std::uint8_t>(), std::uint8_t{0});
     for (int x = 3; x < 9; ++x) labels->voxels.as<std::uint8_t>()[labels->grid.offset({x, 5, 2})] = 4;
     labels->labels = {{4, "Niere größer", {1.0, 0.0, 0.0}}, {7, "none", {0.0, 1.0, 0.0}}};
     document().setLabels(labels, {});

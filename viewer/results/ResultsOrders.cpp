@@ -83,9 +83,8 @@ void ResultsDialog::refresh() {
   offer(picture_, pictures_.empty() ? tr("No view is on screen.") : QString());
   const QString keyProblem = problemOfKeys();
   offer(keys_, keyProblem);
-  keys_.box->setText(keyProblem.isEmpty()
-                         ? tr("Slices of the key images: %1").arg(keySlices().size())
-                         : tr("Slices of the key images"));
+  keys_.box->setText(keyProblem.isEmpty() ? tr("Slices of the key images: %1").arg(keySlices().size())
+                                          : tr("Slices of the key images"));
   offer(folder_, {});
   offer(archive_, !notDicom.isEmpty()
                       ? tr("This study is not from DICOM files, and archives file by patient and study.")

@@ -93,7 +93,7 @@ void writeAll(const ResultsOrder& order, Staged& staged, const io::Progress& pro
     io::report::writeCapture(captureOf(order), order.source.isDicom() ? order.source.files : std::vector<fs::path>(),
                              staged.add("picture.dcm", ResultsWords::tr("Picture")));
   if (!order.keySlices.empty())
-    io::writeKeySlices(order.source, order.keySlices, order.keyText.toStdString(),
+    io::writeKeySlices(order.source, order.keySlices, {order.keyText.toStdString(), description},
                        staged.add("key-images.dcm", ResultsWords::tr("Key images")));
   step(1.0);
 }
