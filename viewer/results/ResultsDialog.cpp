@@ -1,6 +1,7 @@
 #include "viewer/results/ResultsDialog.h"
 
 #include <algorithm>
+#include <utility>
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -38,7 +39,6 @@ ResultsDialog::ResultsDialog(const Parts& parts, QWidget* parent)
   addKinds(*column);
   addPlaces(*column);
   addOutcome(*column);
-  resize(600, sizeHint().height());
 
   const Document& document = parts_.document;
   for (const auto& changed : {&Document::labelsChanged, &Document::focusChanged, &Document::measuresChanged,
@@ -74,6 +74,9 @@ ResultsDialog::ResultsDialog(const Parts& parts, QWidget* parent)
   });
   refresh();
   for (const Choice* each : {&measures_, &labels_}) each->box->setChecked(each->box->isEnabled());
+  // With the reasons that it begins with: lines break at this width.
+  constexpr int width = 600;  // device-independent pixels
+  resize(width, std::max(sizeHint().height(), column->totalHeightForWidth(width)));
 }
 
 ResultsDialog::Choice ResultsDialog::addChoice(QVBoxLayout& column, const char* name, const QString& text,
@@ -83,6 +86,10 @@ ResultsDialog::Choice ResultsDialog::addChoice(QVBoxLayout& column, const char* 
   choice.box->setToolTip(toolTip);
   choice.reason->setWordWrap(true);
   choice.reason->setTextFormat(Qt::PlainText);
+  QSizePolicy policy(QSizePolicy::Preferred, QSizePolicy::Maximum);
+  policy.setHeightForWidth(true);
+  choice.reason->setSizePolicy(policy);
+  choice.box->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
   choice.reason->setContentsMargins(choiceIndent, 0, 0, 0);
   connect(choice.box, &QCheckBox::toggled, this, &ResultsDialog::enable);
   column.addWidget(choice.box);
@@ -185,6 +192,7 @@ void ResultsDialog::addOutcome(QVBoxLayout& column) {
   column.addWidget(progress_);
   column.addWidget(status_);
   column.addWidget(answers_, 1);
+  column.addStretch();  // takes the height that is left while there are no answers
   column.addWidget(buttons);
 }
 
