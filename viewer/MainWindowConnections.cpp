@@ -62,7 +62,11 @@ void MainWindow::connectViews() {
   connect(views_, &ViewArea::picked, &workspace_.placement, &PlacementController::pick);
   connect(views_, &ViewArea::pickTakenBack, &workspace_.placement, &PlacementController::forgetPick);
   connect(views_, &ViewArea::measureMenuRequested, this,
-          [this](std::size_t measure, QPoint at) { showMeasureMenu(workspace_, measure, at); });
+          [this](std::size_t measure, QPoint at) { showMeasureMenu(workspace_, measure, at, this); });
+  // From the event loop: the mouse's release is still being handled.
+  connect(
+      &workspace_.measuring, &MeasureMode::markWanted, this, [this] { askForMarkText(workspace_, {}, this); },
+      Qt::QueuedConnection);
   // Views report while they are painted, so both come later: the study may be another one by then.
   const auto isOf = [this](const QString& (VolumeView::*text)() const, const QString& message) {
     const auto& volumes = views_->volumeViews();

@@ -89,6 +89,8 @@ Drawn drawnAs(MeasureKind kind) {
     case MeasureKind::Ellipse:
       return {"ellipse", DSRBasicCodedEntry("42798000", "SCT", "Area"), DSRTypes::GT3_Ellipse};
     case MeasureKind::Rectangle:
+    case MeasureKind::Arrow:  // marks measure nothing, and are left out before
+    case MeasureKind::Text:
       break;
   }
   return {"rectangle", DSRBasicCodedEntry("42798000", "SCT", "Area"), DSRTypes::GT3_Polygon};

@@ -45,7 +45,8 @@ MeasuresWritten writeMeasures(const ResultSource& source, const MeasuresOutput& 
   measures.modality = source.volume->modality;
   measures.unit = source.volume->unit;
   measures.description = output.description;
-  for (const Measure& measure : source.measures) measures.drawn.push_back({measure, valuesOf(measure, *source.volume)});
+  for (const Measure& measure : source.measures)
+    if (!isMark(measure.kind)) measures.drawn.push_back({measure, valuesOf(measure, *source.volume)});
   if (!measures.labels.empty()) {
     measures.segmentation = output.segments;
     std::vector<std::uint16_t> only;

@@ -47,7 +47,7 @@ struct MeasuresOutput {
 struct MeasuresWritten {
   std::size_t labels = 0, measures = 0;
 };
-/// The table of labels and the measures as a structured report, and the segments that it is about.
+/// The table of labels and the measures, marks left out, as a structured report, and the segments that it is about.
 MeasuresWritten writeMeasures(const ResultSource& source, const MeasuresOutput& output, const Progress& progress);
 
 /// Why slices were chosen, and the description of the selection's series; both may be empty.

@@ -120,7 +120,7 @@ void check(const Session& session, const json::Reader& top) {
   refuseUnless(hasVolume != session.phantom.has_value(), top, "must name either a volume or a phantom");
   checkLook(session.look, !session.labels.path.empty() || session.phantom, top);
   refuseUnless(std::all_of(session.measures.begin(), session.measures.end(), isWellFormed), top,
-               "has a measure without the points or the plane that its kind needs");
+               "has a measure without the points, the plane or the text that its kind needs");
   checkPlanes(session.planes, top);
   refuseUnless(session.keyImages.size() <= KeyImage::most, top, "has more key images than anybody keeps");
   for (const KeyImage& image : session.keyImages) {

@@ -22,7 +22,9 @@ inline auto wordsOf(MeasureKind) {
   return std::to_array<Word<MeasureKind>>({{MeasureKind::Distance, "distance"},
                                            {MeasureKind::Angle, "angle"},
                                            {MeasureKind::Ellipse, "ellipse"},
-                                           {MeasureKind::Rectangle, "rectangle"}});
+                                           {MeasureKind::Rectangle, "rectangle"},
+                                           {MeasureKind::Arrow, "arrow"},
+                                           {MeasureKind::Text, "text"}});
 }
 
 void members(auto& io, Is<Measure> auto& measure) {
@@ -30,9 +32,10 @@ void members(auto& io, Is<Measure> auto& measure) {
   io.required(
       "points", measure.points, millimetres,
       {"In the patient's mm (LPS). Distance: its ends; angle: end, vertex, end; ellipse and rectangle: opposite "
-       "corners of the box around it"});
+       "corners of the box around it; arrow: tip, end; text: where it begins"});
   io.required("right", measure.right, {-1.0, 1.0}, {"Unit vector along the rows of the slice that it lies on"});
   io.required("down", measure.down, {-1.0, 1.0}, {"Unit vector down the columns of that slice"});
+  io.optional("text", measure.text, !measure.text.empty(), {}, {"Of an arrow or a text, at most 400 bytes of UTF-8"});
 }
 
 inline auto wordsOf(SlabMode) {
@@ -224,7 +227,7 @@ void members(auto& io, Is<Session> auto& session) {
   io.optional("crosshair", session.crosshair, session.crosshair.has_value(), millimetres);
   io("overlays", session.overlays, {}, {"What is drawn over the pictures"});
   io("planes", session.planes, {}, {"How the axial, sagittal and coronal slices lie"});
-  io("measures", session.measures, {}, {"Distances, angles and regions drawn on the slices"});
+  io("measures", session.measures, {}, {"Distances, angles, regions, arrows and texts on the slices"});
   io.optional("key_images", session.keyImages, !session.keyImages.empty(), {},
               {"States of the window that one returns to, in the user's order"});
   io.optional("maximised", session.maximised, !session.maximised.empty(), {},

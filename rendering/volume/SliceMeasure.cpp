@@ -96,12 +96,15 @@ std::optional<RegionValues> valuesInside(const Measure& measure, const Volume& v
 
 }  // namespace
 
-std::size_t pointCount(MeasureKind kind) { return kind == MeasureKind::Angle ? 3 : 2; }
+std::size_t pointCount(MeasureKind kind) { return kind == MeasureKind::Angle ? 3 : kind == MeasureKind::Text ? 1 : 2; }
 
 bool isWellFormed(const Measure& measure) {
   const auto isUnit = [](glm::dvec3 v) { return std::abs(glm::length(v) - 1.0) < 1e-3; };
-  return measure.points.size() == pointCount(measure.kind) && isUnit(measure.right) && isUnit(measure.down) &&
-         std::abs(glm::dot(measure.right, measure.down)) < 0.9;
+  const bool hasText = isMark(measure.kind) ? measure.text.size() <= Measure::longestText &&
+                                                  (measure.kind == MeasureKind::Arrow || !measure.text.empty())
+                                            : measure.text.empty();
+  return hasText && measure.points.size() == pointCount(measure.kind) && isUnit(measure.right) &&
+         isUnit(measure.down) && std::abs(glm::dot(measure.right, measure.down)) < 0.9;
 }
 
 std::optional<int> sliceOf(const Measure& measure, const SliceGeometry& geometry) {

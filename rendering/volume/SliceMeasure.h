@@ -1,23 +1,28 @@
 #pragma once
-// Distances, angles and regions of interest drawn on a slice: where they lie in the patient, and what they measure.
+// Distances, angles and regions of interest drawn on a slice, and marks, which are arrows and texts: where they lie in
+// the patient, and what they measure. Marks measure nothing.
 
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "rendering/volume/Slice.h"
 
 namespace fenestra {
 
-enum class MeasureKind : std::uint8_t { Distance, Angle, Ellipse, Rectangle };
+enum class MeasureKind : std::uint8_t { Distance, Angle, Ellipse, Rectangle, Arrow, Text };
 
 /// World (LPS), mm. `right` and `down` are the unit vectors of the slice's rows and columns: with the points they say
 /// which plane the measure lies on.
 struct Measure {
   MeasureKind kind = MeasureKind::Distance;
   /// Distance: its ends. Angle: end, vertex, end. Ellipse and Rectangle: opposite corners of the box around it, whose
-  /// sides run along `right` and `down`.
+  /// sides run along `right` and `down`. Arrow: its tip, and its end, where the text stands. Text: where it begins.
   std::vector<glm::dvec3> points;
   glm::dvec3 right{1.0, 0.0, 0.0}, down{0.0, 1.0, 0.0};
+  /// Of a mark, UTF-8 on one line, at most longestText bytes; of a Text it is not empty.
+  std::string text = {};
+  static constexpr std::size_t longestText = 400;
 
   bool operator==(const Measure&) const = default;
 };
@@ -25,7 +30,8 @@ struct Measure {
 /// How many points a measure of a kind has.
 std::size_t pointCount(MeasureKind kind);
 inline bool isRegion(MeasureKind kind) { return kind == MeasureKind::Ellipse || kind == MeasureKind::Rectangle; }
-/// Whether a measure has the points and the plane that its kind needs.
+inline bool isMark(MeasureKind kind) { return kind == MeasureKind::Arrow || kind == MeasureKind::Text; }
+/// Whether a measure has the points, the plane and the text that its kind needs.
 bool isWellFormed(const Measure& measure);
 
 /// The slice of a plane that a measure lies on: the nearest one, where the planes are parallel and the measure lies

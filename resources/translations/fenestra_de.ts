@@ -107,10 +107,6 @@
         <translation>Ziehen oder Klicks</translation>
     </message>
     <message>
-        <source>draw the measure whose tool is chosen; Esc ends it</source>
-        <translation>die gewählte Messung zeichnen; Esc beendet sie</translation>
-    </message>
-    <message>
         <source>Drag a handle or line</source>
         <translation>Griff oder Linie ziehen</translation>
     </message>
@@ -121,10 +117,6 @@
     <message>
         <source>Right click on it</source>
         <translation>Rechtsklick darauf</translation>
-    </message>
-    <message>
-        <source>copy and delete</source>
-        <translation>kopieren und löschen</translation>
     </message>
     <message>
         <source>Clipping, while its tab is in sight</source>
@@ -458,6 +450,22 @@
         <source>rename it</source>
         <translation>umbenennen</translation>
     </message>
+    <message>
+        <source>draw the measure or arrow whose tool is chosen, then type an arrow&apos;s text; Esc ends it</source>
+        <translation>die Messung oder den Pfeil zeichnen, dessen Werkzeug gewählt ist, dann den Text des Pfeils tippen; Esc beendet es</translation>
+    </message>
+    <message>
+        <source>Click, as a text&apos;s tool is chosen</source>
+        <translation>Klick, wenn das Textwerkzeug gewählt ist</translation>
+    </message>
+    <message>
+        <source>place a text, and type it</source>
+        <translation>einen Text setzen und tippen</translation>
+    </message>
+    <message>
+        <source>copy and delete; change the text of a mark</source>
+        <translation>kopieren und löschen; den Text einer Markierung ändern</translation>
+    </message>
 </context>
 <context>
     <name>Fidelity</name>
@@ -779,6 +787,14 @@
         <source>%1 cm²</source>
         <translation>%L1 cm²</translation>
     </message>
+    <message>
+        <source>Arrow</source>
+        <translation>Pfeil</translation>
+    </message>
+    <message>
+        <source>Text</source>
+        <translation>Text</translation>
+    </message>
 </context>
 <context>
     <name>MeasureMenu</name>
@@ -797,6 +813,18 @@
     <message>
         <source>Delete all measures</source>
         <translation>Alle Messungen löschen</translation>
+    </message>
+    <message>
+        <source>Text of the mark</source>
+        <translation>Text der Markierung</translation>
+    </message>
+    <message>
+        <source>Pictures and sessions hold it: name no patient.</source>
+        <translation>Bilder und Sitzungen enthalten ihn: nennen Sie keinen Patienten.</translation>
+    </message>
+    <message>
+        <source>Change the text…</source>
+        <translation>Text ändern…</translation>
     </message>
 </context>
 <context>
@@ -3801,6 +3829,18 @@ Kosinus des Winkels zur nächsten der sechs</translation>
         <source>Measures, segmentations, pictures and key images as DICOM objects, to a folder or an archive</source>
         <translation>Messungen, Segmentierungen, Bilder und Schlüsselbilder als DICOM-Objekte, in einen Ordner oder ein Archiv</translation>
     </message>
+    <message>
+        <source>Arro&amp;w</source>
+        <translation>&amp;Pfeil</translation>
+    </message>
+    <message>
+        <source>&amp;Text</source>
+        <translation>&amp;Text</translation>
+    </message>
+    <message>
+        <source>Change te&amp;xt…</source>
+        <translation>Te&amp;xt ändern…</translation>
+    </message>
 </context>
 <context>
     <name>fenestra::viewer::AppearancePanel</name>
@@ -5246,6 +5286,10 @@ Kosinus des Winkels zur nächsten der sechs</translation>
     <message>
         <source>Move measure</source>
         <translation>Messung verschieben</translation>
+    </message>
+    <message>
+        <source>Change text</source>
+        <translation>Text ändern</translation>
     </message>
 </context>
 <context>

@@ -107,10 +107,6 @@
         <translation>Arrastrar o clics</translation>
     </message>
     <message>
-        <source>draw the measure whose tool is chosen; Esc ends it</source>
-        <translation>dibujar la medida elegida; Esc la termina</translation>
-    </message>
-    <message>
         <source>Drag a handle or line</source>
         <translation>Arrastrar un punto o línea</translation>
     </message>
@@ -121,10 +117,6 @@
     <message>
         <source>Right click on it</source>
         <translation>Clic derecho en ella</translation>
-    </message>
-    <message>
-        <source>copy and delete</source>
-        <translation>copiar y eliminar</translation>
     </message>
     <message>
         <source>Clipping, while its tab is in sight</source>
@@ -458,6 +450,22 @@
         <source>rename it</source>
         <translation>cambiar su nombre</translation>
     </message>
+    <message>
+        <source>draw the measure or arrow whose tool is chosen, then type an arrow&apos;s text; Esc ends it</source>
+        <translation>dibujar la medida o la flecha cuya herramienta está elegida y escribir el texto de la flecha; Esc termina</translation>
+    </message>
+    <message>
+        <source>Click, as a text&apos;s tool is chosen</source>
+        <translation>Clic, con la herramienta de texto elegida</translation>
+    </message>
+    <message>
+        <source>place a text, and type it</source>
+        <translation>colocar un texto y escribirlo</translation>
+    </message>
+    <message>
+        <source>copy and delete; change the text of a mark</source>
+        <translation>copiar y eliminar; cambiar el texto de una marca</translation>
+    </message>
 </context>
 <context>
     <name>Fidelity</name>
@@ -779,6 +787,14 @@
         <source>%1 cm²</source>
         <translation>%L1 cm²</translation>
     </message>
+    <message>
+        <source>Arrow</source>
+        <translation>Flecha</translation>
+    </message>
+    <message>
+        <source>Text</source>
+        <translation>Texto</translation>
+    </message>
 </context>
 <context>
     <name>MeasureMenu</name>
@@ -797,6 +813,18 @@
     <message>
         <source>Delete all measures</source>
         <translation>Eliminar todas las medidas</translation>
+    </message>
+    <message>
+        <source>Text of the mark</source>
+        <translation>Texto de la marca</translation>
+    </message>
+    <message>
+        <source>Pictures and sessions hold it: name no patient.</source>
+        <translation>Las imágenes y sesiones lo contienen: no nombre a ningún paciente.</translation>
+    </message>
+    <message>
+        <source>Change the text…</source>
+        <translation>Cambiar el texto…</translation>
     </message>
 </context>
 <context>
@@ -3801,6 +3829,18 @@ Coseno del ángulo con la más próxima de las seis</translation>
         <source>Measures, segmentations, pictures and key images as DICOM objects, to a folder or an archive</source>
         <translation>Medidas, segmentaciones, imágenes e imágenes clave como objetos DICOM, en una carpeta o un archivo PACS</translation>
     </message>
+    <message>
+        <source>Arro&amp;w</source>
+        <translation>&amp;Flecha</translation>
+    </message>
+    <message>
+        <source>&amp;Text</source>
+        <translation>&amp;Texto</translation>
+    </message>
+    <message>
+        <source>Change te&amp;xt…</source>
+        <translation>Cambiar te&amp;xto…</translation>
+    </message>
 </context>
 <context>
     <name>fenestra::viewer::AppearancePanel</name>
@@ -5246,6 +5286,10 @@ Coseno del ángulo con la más próxima de las seis</translation>
     <message>
         <source>Move measure</source>
         <translation>Mover medida</translation>
+    </message>
+    <message>
+        <source>Change text</source>
+        <translation>Cambiar el texto</translation>
     </message>
 </context>
 <context>

@@ -107,10 +107,6 @@
         <translation>Glisser ou clics</translation>
     </message>
     <message>
-        <source>draw the measure whose tool is chosen; Esc ends it</source>
-        <translation>dessiner la mesure choisie&#xa0;; Échap la termine</translation>
-    </message>
-    <message>
         <source>Drag a handle or line</source>
         <translation>Glisser une poignée ou ligne</translation>
     </message>
@@ -121,10 +117,6 @@
     <message>
         <source>Right click on it</source>
         <translation>Clic droit dessus</translation>
-    </message>
-    <message>
-        <source>copy and delete</source>
-        <translation>copier et supprimer</translation>
     </message>
     <message>
         <source>Clipping, while its tab is in sight</source>
@@ -458,6 +450,22 @@
         <source>rename it</source>
         <translation>la renommer</translation>
     </message>
+    <message>
+        <source>draw the measure or arrow whose tool is chosen, then type an arrow&apos;s text; Esc ends it</source>
+        <translation>tracer la mesure ou la flèche dont l&apos;outil est choisi, puis saisir le texte de la flèche ; Échap termine</translation>
+    </message>
+    <message>
+        <source>Click, as a text&apos;s tool is chosen</source>
+        <translation>Clic, quand l&apos;outil de texte est choisi</translation>
+    </message>
+    <message>
+        <source>place a text, and type it</source>
+        <translation>placer un texte et le saisir</translation>
+    </message>
+    <message>
+        <source>copy and delete; change the text of a mark</source>
+        <translation>copier et supprimer ; changer le texte d&apos;une marque</translation>
+    </message>
 </context>
 <context>
     <name>Fidelity</name>
@@ -779,6 +787,14 @@
         <source>%1 cm²</source>
         <translation>%L1 cm²</translation>
     </message>
+    <message>
+        <source>Arrow</source>
+        <translation>Flèche</translation>
+    </message>
+    <message>
+        <source>Text</source>
+        <translation>Texte</translation>
+    </message>
 </context>
 <context>
     <name>MeasureMenu</name>
@@ -797,6 +813,18 @@
     <message>
         <source>Delete all measures</source>
         <translation>Supprimer toutes les mesures</translation>
+    </message>
+    <message>
+        <source>Text of the mark</source>
+        <translation>Texte de la marque</translation>
+    </message>
+    <message>
+        <source>Pictures and sessions hold it: name no patient.</source>
+        <translation>Les images et les sessions le contiennent : ne nommez aucun patient.</translation>
+    </message>
+    <message>
+        <source>Change the text…</source>
+        <translation>Changer le texte…</translation>
     </message>
 </context>
 <context>
@@ -3801,6 +3829,18 @@ Cosinus de l&apos;angle avec la plus proche des six</translation>
         <source>Measures, segmentations, pictures and key images as DICOM objects, to a folder or an archive</source>
         <translation>Mesures, segmentations, images et images clés comme objets DICOM, dans un dossier ou une archive</translation>
     </message>
+    <message>
+        <source>Arro&amp;w</source>
+        <translation>&amp;Flèche</translation>
+    </message>
+    <message>
+        <source>&amp;Text</source>
+        <translation>&amp;Texte</translation>
+    </message>
+    <message>
+        <source>Change te&amp;xt…</source>
+        <translation>Changer le te&amp;xte…</translation>
+    </message>
 </context>
 <context>
     <name>fenestra::viewer::AppearancePanel</name>
@@ -5246,6 +5286,10 @@ Cosinus de l&apos;angle avec la plus proche des six</translation>
     <message>
         <source>Move measure</source>
         <translation>Déplacer la mesure</translation>
+    </message>
+    <message>
+        <source>Change text</source>
+        <translation>Changer le texte</translation>
     </message>
 </context>
 <context>

@@ -107,10 +107,6 @@
         <translation>拖动或单击</translation>
     </message>
     <message>
-        <source>draw the measure whose tool is chosen; Esc ends it</source>
-        <translation>绘制所选的测量；Esc 结束</translation>
-    </message>
-    <message>
         <source>Drag a handle or line</source>
         <translation>拖动端点或线</translation>
     </message>
@@ -121,10 +117,6 @@
     <message>
         <source>Right click on it</source>
         <translation>右键单击测量</translation>
-    </message>
-    <message>
-        <source>copy and delete</source>
-        <translation>复制与删除</translation>
     </message>
     <message>
         <source>Clipping, while its tab is in sight</source>
@@ -458,6 +450,22 @@
         <source>rename it</source>
         <translation>重命名</translation>
     </message>
+    <message>
+        <source>draw the measure or arrow whose tool is chosen, then type an arrow&apos;s text; Esc ends it</source>
+        <translation>绘制所选工具的测量或箭头，然后输入箭头的文字；Esc 结束</translation>
+    </message>
+    <message>
+        <source>Click, as a text&apos;s tool is chosen</source>
+        <translation>选择文字工具时单击</translation>
+    </message>
+    <message>
+        <source>place a text, and type it</source>
+        <translation>放置文字并输入</translation>
+    </message>
+    <message>
+        <source>copy and delete; change the text of a mark</source>
+        <translation>复制和删除；更改标记的文字</translation>
+    </message>
 </context>
 <context>
     <name>Fidelity</name>
@@ -779,6 +787,14 @@
         <source>%1 cm²</source>
         <translation>%L1 cm²</translation>
     </message>
+    <message>
+        <source>Arrow</source>
+        <translation>箭头</translation>
+    </message>
+    <message>
+        <source>Text</source>
+        <translation>文字</translation>
+    </message>
 </context>
 <context>
     <name>MeasureMenu</name>
@@ -797,6 +813,18 @@
     <message>
         <source>Delete all measures</source>
         <translation>删除全部测量</translation>
+    </message>
+    <message>
+        <source>Text of the mark</source>
+        <translation>标记的文字</translation>
+    </message>
+    <message>
+        <source>Pictures and sessions hold it: name no patient.</source>
+        <translation>图片和会话会包含它：请勿写出患者姓名。</translation>
+    </message>
+    <message>
+        <source>Change the text…</source>
+        <translation>更改文字…</translation>
     </message>
 </context>
 <context>
@@ -3800,6 +3828,18 @@ Cosine of the angle to the nearest of the six</source>
         <source>Measures, segmentations, pictures and key images as DICOM objects, to a folder or an archive</source>
         <translation>将测量、分割、图片和关键图像作为 DICOM 对象保存到文件夹或归档服务器</translation>
     </message>
+    <message>
+        <source>Arro&amp;w</source>
+        <translation>箭头(&amp;W)</translation>
+    </message>
+    <message>
+        <source>&amp;Text</source>
+        <translation>文字(&amp;T)</translation>
+    </message>
+    <message>
+        <source>Change te&amp;xt…</source>
+        <translation>更改文字(&amp;X)…</translation>
+    </message>
 </context>
 <context>
     <name>fenestra::viewer::AppearancePanel</name>
@@ -5244,6 +5284,10 @@ Cosine of the angle to the nearest of the six</source>
     <message>
         <source>Move measure</source>
         <translation>移动测量</translation>
+    </message>
+    <message>
+        <source>Change text</source>
+        <translation>更改文字</translation>
     </message>
 </context>
 <context>

@@ -3,6 +3,7 @@
 
 #include <QAction>
 #include <QGuiApplication>
+#include <QInputDialog>
 #include <QMenu>
 
 #include "tests/gui/Conventions.h"
@@ -95,6 +96,20 @@ Conventions::Cases Conventions::sliceGestures() {
         EXPECT_EQ(axial()->measureTool().measureAt(from), 0u) << "which a right click asks for";
         document().setMeasures({}, {});
       };
+  cases["Measures, on the slices: Click, as a text's tool is chosen"] = [this] {
+    press("Shift+T");
+    QTest::mouseClick(axial(), Qt::LeftButton, {}, at({5, 5, cursor().position().z}));
+    QInputDialog* question = nullptr;
+    ASSERT_TRUE(QTest::qWaitFor(
+        [&] { return (question = window_->findChild<QInputDialog*>(QStringLiteral("markText"))) != nullptr; },
+        patience));
+    question->setTextValue(QStringLiteral("here"));
+    question->accept();
+    press("Esc");
+    ASSERT_EQ(document().measures().size(), 1u);
+    EXPECT_EQ(document().measures()[0].text, "here");
+    document().setMeasures({}, {});
+  };
   cases["Clipping, while its tab is in sight: Drag a square"] =
       cases["Clipping, while its tab is in sight: Drag the ball at an arrow"] = [this] {
         options().setClipHandles(true);

@@ -6,8 +6,10 @@
 #include <QAction>
 #include <QClipboard>
 #include <QGuiApplication>
+#include <QInputDialog>
 #include <QMenu>
 #include <QMouseEvent>
+#include <QPainter>
 #include <QTest>
 
 #include "io/session/SessionFile.h"
@@ -29,6 +31,17 @@ class MeasureWindow : public Window {
   QPoint at(glm::dvec3 world) { return axial()->widgetFromWorld(world).toPoint(); }
   glm::dvec3 pointed(QPoint position) { return axial()->worldFromWidget(position); }
   QPoint from_, to_;
+  /// The question for a mark's text that is open; one that was answered is deleted later.
+  QInputDialog* question() {
+    for (QInputDialog* each : window_->findChildren<QInputDialog*>(QStringLiteral("markText")))
+      if (each->isVisible()) return each;
+    return nullptr;
+  }
+  void type(const QString& text) {
+    ASSERT_TRUE(QTest::qWaitFor([&] { return question() != nullptr; }, patience));
+    question()->setTextValue(text);
+    question()->accept();
+  }
   /// Draws a distance of 30 mm with the mouse.
   void drawDistance() {
     from_ = at({-20.0, 5.0, cursor().position().z});
@@ -255,18 +268,91 @@ TEST_F(MeasureWindow, ComesBackWithASession) {
   EXPECT_TRUE(document().measures().empty());
 }
 
+TEST_F(MeasureWindow, AnArrowAsksForItsTextAndIsOneStep) {
+  const double z = cursor().position().z;
+  QTest::keyClick(axial(), Qt::Key_A, Qt::ShiftModifier);
+  drag(axial(), at({-20, 5, z}), at({10, 15, z}));
+  type(QStringLiteral("  Läsion,\t\"neu\" "));
+  ASSERT_EQ(document().measures().size(), 1u);
+  EXPECT_EQ(document().measures()[0].kind, MeasureKind::Arrow);
+  EXPECT_EQ(document().measures()[0].text, "Läsion, \"neu\"");
+  EXPECT_LT(glm::distance(document().measures()[0].points[0], pointed(at({-20, 5, z}))), 1e-9) << "its tip";
+  EXPECT_EQ(document().undoStack().count(), 1);
+  // Moved by its line, and by its end, as a measure is.
+  QTest::keyClick(axial(), Qt::Key_Escape);
+  const Measure before = document().measures()[0];
+  drag(axial(), at({-5, 10, z}), at({-5, 10, z}) + QPoint(0, 25));
+  EXPECT_NE(document().measures()[0].points[0], before.points[0]);
+  EXPECT_EQ(document().measures()[0].text, before.text);
+  const QString table = measuresCsv(document());
+  EXPECT_TRUE(table.contains(QStringLiteral(",text\r\narrow,,"))) << table.toStdString();
+  EXPECT_TRUE(table.endsWith(QStringLiteral(",\"Läsion, \"\"neu\"\"\"\r\n"))) << table.toStdString();
+  // Drawn over the slice, and hidden with the measures.
+  QImage with(axial()->size(), QImage::Format_RGB32), without = with;
+  const auto draw = [this](QImage& picture) {
+    picture.fill(Qt::black);
+    QPainter painter(&picture);
+    axial()->draw(painter, true);
+  };
+  draw(with);
+  options().setMeasures(false);
+  draw(without);
+  EXPECT_NE(with, without);
+  // Another text is another step; an empty one leaves the arrow.
+  options().setMeasures(true);
+  measuring().setText(0, QStringLiteral("="));
+  EXPECT_TRUE(measuresCsv(document()).endsWith(QStringLiteral(",'=\r\n"))) << "no formula for a spreadsheet";
+  measuring().setText(0, {});
+  EXPECT_EQ(document().measures().size(), 1u);
+  document().undoStack().undo();
+  document().undoStack().undo();
+  EXPECT_EQ(document().measures()[0].text, before.text);
+}
+
+TEST_F(MeasureWindow, ATextIsPlacedByAClickAndNothingWithoutWords) {
+  const double z = cursor().position().z;
+  QTest::keyClick(axial(), Qt::Key_T, Qt::ShiftModifier);
+  QTest::mouseClick(axial(), Qt::LeftButton, {}, at({5, 5, z}));
+  type({});
+  EXPECT_TRUE(document().measures().empty()) << "no words";
+  EXPECT_FALSE(measuring().draft());
+  QTest::mouseClick(axial(), Qt::LeftButton, {}, at({5, 5, z}));
+  type(QStringLiteral("%1").arg(QString(1000, QLatin1Char('a'))));
+  ASSERT_EQ(document().measures().size(), 1u);
+  EXPECT_EQ(document().measures()[0].text.size(), Measure::longestText) << "cut";
+  EXPECT_TRUE(isWellFormed(document().measures()[0]));
+  QTest::mouseClick(axial(), Qt::LeftButton, {}, at({-15, 5, z}));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return question() != nullptr; }, patience));
+  question()->reject();
+  EXPECT_EQ(document().measures().size(), 1u) << "cancelled";
+  EXPECT_FALSE(measuring().draft());
+  QTest::keyClick(axial(), Qt::Key_Escape);
+  // Changed by the menu, and gone without words.
+  measuring().select(0);
+  auto* change = window_->findChild<QAction*>(QStringLiteral("changeMarkText"));
+  ASSERT_TRUE(change->isEnabled());
+  change->trigger();
+  type(QStringLiteral("links"));
+  EXPECT_EQ(document().measures()[0].text, "links");
+  document().setMeasures({document().measures()[0]}, {});
+  change->trigger();
+  type({});
+  EXPECT_TRUE(document().measures().empty());
+  EXPECT_FALSE(change->isEnabled());
+}
+
 TEST(MeasureDrawing, TextStaysOffTheLineWhereverItPoints) {
   const QRectF view(0, 0, 400, 300);
   const QSizeF text(90, 18);
   for (const MeasureKind kind :
-       {MeasureKind::Distance, MeasureKind::Angle, MeasureKind::Rectangle, MeasureKind::Ellipse})
+       {MeasureKind::Distance, MeasureKind::Angle, MeasureKind::Rectangle, MeasureKind::Ellipse, MeasureKind::Arrow})
     for (int turn = 0; turn < 360; turn += 15)
       for (const QPointF middle : {QPointF(200, 150), QPointF(60, 60), QPointF(350, 250)}) {
         const double angle = turn * 3.14159265 / 180.0;
         const QPointF way(50.0 * std::cos(angle), 40.0 * std::sin(angle));
         ShownMeasure measure{kind, {}, {}, false};
         const QRectF box = QRectF(middle - way, middle + way).normalized();
-        if (kind == MeasureKind::Distance) measure.handles = {middle - way, middle + way};
+        if (kind == MeasureKind::Distance || kind == MeasureKind::Arrow) measure.handles = {middle - way, middle + way};
         if (kind == MeasureKind::Angle) measure.handles = {middle - way, middle, middle + QPointF(30, 5)};
         if (kind == MeasureKind::Rectangle)
           measure.handles = {box.topLeft(), box.topRight(), box.bottomRight(), box.bottomLeft()};

@@ -127,7 +127,9 @@ inline io::Session fullSession(const std::filesystem::path& folder) {
       io::SessionPlane{PlaneAxes{{1, 0, 0}, {0, 0, -1}, {0, 1, 0}}, io::PlaneFollow::C2, {5.0, SlabMode::Minimum}}};
   session.measures = {
       {MeasureKind::Angle, {{1.5, -2.25, 1.0 / 3.0}, {0.0, 7.0, 1e-9}, {-3.0, 0.1, 12.0}}, {0, 1, 0}, {0, 0, -1}},
-      {MeasureKind::Ellipse, {{10.0, 20.0, 30.0}, {11.0, 22.0, 30.0}}, {0.6, 0.8, 0}, {-0.8, 0.6, 0}}};
+      {MeasureKind::Ellipse, {{10.0, 20.0, 30.0}, {11.0, 22.0, 30.0}}, {0.6, 0.8, 0}, {-0.8, 0.6, 0}},
+      {MeasureKind::Arrow, {{1.0, 2.0, 3.0}, {4.0, 5.0, 3.0}}, {1, 0, 0}, {0, 1, 0}, "Läsion, \"?\""},
+      {MeasureKind::Text, {{-1.0, 2.0, 3.0}}, {1, 0, 0}, {0, 1, 0}, "left"}};
   session.keyImages.resize(2);
   session.keyImages[0].name = "Stenosis, \"proximal\" é";
   session.keyImages[0].picture = "iVBORw0KGgo=";

@@ -97,7 +97,9 @@ void Actions::makeMeasureMenu() {
   for (const Entry& tool : {Entry{QT_TR_NOOP("&Distance"), "D", "distance", MeasureKind::Distance},
                             Entry{QT_TR_NOOP("&Angle"), "A", "angle", MeasureKind::Angle},
                             Entry{QT_TR_NOOP("&Ellipse"), "Q", "ellipse", MeasureKind::Ellipse},
-                            Entry{QT_TR_NOOP("&Rectangle"), "B", "rectangle", MeasureKind::Rectangle}}) {
+                            Entry{QT_TR_NOOP("&Rectangle"), "B", "rectangle", MeasureKind::Rectangle},
+                            Entry{QT_TR_NOOP("Arro&w"), "Shift+A", "arrow", MeasureKind::Arrow},
+                            Entry{QT_TR_NOOP("&Text"), "Shift+T", "mark", MeasureKind::Text}}) {
     QAction* made =
         volumeAction(tr(tool.text), QKeySequence(QLatin1String(tool.key)), [&mode, &options, kind = tool.kind] {
           options.setMeasures(true);  // or what is drawn would not show
@@ -109,12 +111,17 @@ void Actions::makeMeasureMenu() {
             [&mode, made, kind = tool.kind] { made->setChecked(mode.kind() == kind); });
     tools << made;
   }
+  QAction* change = action(tr("Change te&xt…"), {}, [this, &mode] {
+    if (mode.selected()) askForMarkText(targets_.workspace, mode.selected(), &targets_.window);
+  });
+  change->setObjectName(QStringLiteral("changeMarkText"));
   QAction* copy = action(tr("&Copy"), QKeySequence(tr("Ctrl+Shift+C")),
                          [this, &mode] { copyMeasures(targets_.workspace, mode.selected()); });
   QAction* remove = action(tr("De&lete"), QKeySequence::Delete, [&mode] { mode.removeSelected(); });
   QAction* removeAll = action(tr("Delete all"), {}, [&mode] { mode.removeAll(); });
   removeAll->setObjectName(QStringLiteral("deleteMeasures"));
-  const auto enable = [&document, &mode, copy, remove, removeAll] {
+  const auto enable = [&document, &mode, change, copy, remove, removeAll] {
+    change->setEnabled(mode.selected() && isMark(document.measures().at(*mode.selected()).kind));
     copy->setEnabled(!document.measures().empty());
     remove->setEnabled(mode.selected().has_value());
     removeAll->setEnabled(!document.measures().empty());
@@ -126,14 +133,14 @@ void Actions::makeMeasureMenu() {
   QMenu* menu = targets_.window.menuBar()->addMenu(tr("&Measure"));
   menu->addActions(tools);
   menu->addSeparator();
-  menu->addActions({copy, remove, removeAll});
+  menu->addActions({change, copy, remove, removeAll});
   menu->addSeparator();
   QAction* shown =
       toggle(tr("&Show measures"), {}, options.measures(), [&options](bool on) { options.setMeasures(on); });
   shown->setObjectName(QStringLiteral("showMeasures"));
   connect(&options, &ViewOptions::changed, shown, [&options, shown] { shown->setChecked(options.measures()); });
   menu->addAction(shown);
-  tools_ << tools;
+  tools_ << tools.first(4);  // marks are in the menu alone, so that the toolbar fits small screens
 }
 
 void Actions::makeFocusMenu() {

@@ -33,12 +33,38 @@ void MeasureMode::setDraft(std::optional<Measure> draft) {
 
 void MeasureMode::finishDraft() {
   if (!draft_) return;
-  const Measure finished = *std::exchange(draft_, std::nullopt);
-  std::vector<Measure> measures = document_.measures();
-  measures.push_back(finished);
-  selected_ = measures.size() - 1;
-  document_.setMeasures(std::move(measures), nameOf(finished.kind));
+  if (isMark(draft_->kind)) return Q_EMIT markWanted();
+  add(*std::exchange(draft_, std::nullopt));
+}
+
+void MeasureMode::finishMark(const QString& text) {
+  if (!draft_ || !isMark(draft_->kind)) return;
+  Measure mark = *std::exchange(draft_, std::nullopt);
+  mark.text = markText(text);
+  if (mark.kind == MeasureKind::Arrow || !mark.text.empty()) return add(std::move(mark));
   Q_EMIT changed();
+}
+
+void MeasureMode::add(Measure measure) {
+  std::vector<Measure> measures = document_.measures();
+  const MeasureKind kind = measure.kind;
+  measures.push_back(std::move(measure));
+  selected_ = measures.size() - 1;
+  document_.setMeasures(std::move(measures), nameOf(kind));
+  Q_EMIT changed();
+}
+
+void MeasureMode::setText(std::size_t index, const QString& text) {
+  std::vector<Measure> measures = document_.measures();
+  if (index >= measures.size() || !isMark(measures[index].kind)) return;
+  const std::string wanted = markText(text);
+  if (wanted == measures[index].text) return;
+  if (wanted.empty() && measures[index].kind == MeasureKind::Text) {
+    select(index);
+    return removeSelected();
+  }
+  measures[index].text = wanted;
+  document_.setMeasures(std::move(measures), tr("Change text"));
 }
 
 void MeasureMode::select(std::optional<std::size_t> index) {

@@ -26,8 +26,12 @@ class MeasureMode : public QObject {
   /// The measure being drawn: its last point follows the mouse.
   const std::optional<Measure>& draft() const { return draft_; }
   void setDraft(std::optional<Measure> draft);
-  /// Adds the draft to the document and selects it.
+  /// Adds the draft to the document and selects it. A mark first needs its text: it stays, and markWanted() asks.
   void finishDraft();
+  /// Adds the draft, a mark, with that text, or drops it where it is a text that is empty.
+  void finishMark(const QString& text);
+  /// Sets a mark's text as one step; an empty one removes a text, and leaves an arrow.
+  void setText(std::size_t index, const QString& text);
 
   /// Place in Document::measures(); unset: none.
   std::optional<std::size_t> selected() const { return selected_; }
@@ -40,8 +44,11 @@ class MeasureMode : public QObject {
 
  Q_SIGNALS:
   void changed();
+  /// The draft is a mark that lacks its text alone: see finishMark(), and setDraft() to drop it.
+  void markWanted();
 
  private:
+  void add(Measure measure);
   Document& document_;
   std::optional<MeasureKind> kind_;
   std::optional<Measure> draft_;

@@ -74,7 +74,9 @@ void ResultsDialog::refresh() {
   const Document& document = parts_.document;
   if (!document.hasVolume()) return;
   const QString notDicom = problemOfDicom();
-  const bool hasMeasures = !document.measures().empty();
+  const auto& drawn = document.measures();
+  const bool hasMeasures =
+      std::any_of(drawn.begin(), drawn.end(), [](const Measure& each) { return !isMark(each.kind); });
   offer(measures_, !notDicom.isEmpty()                           ? notDicom
                    : hasMeasures || document.labels() != nullptr ? QString()
                                                                  : tr("There are neither measures nor labels."));

@@ -31,6 +31,8 @@ QPointF across(QPointF direction) { return {-direction.y(), direction.x()}; }
 /// Places for the text, the best first. None meets the line.
 QList<QRectF> candidates(const ShownMeasure& measure, QSizeF size) {
   const QPolygonF& at = measure.handles;
+  if (measure.kind == MeasureKind::Text) return {{at[0] + QPointF(gap, -0.5 * size.height()), size}};
+  if (measure.kind == MeasureKind::Arrow) return {beyond(at[1], at[1] - at[0], size)};
   if (measure.kind == MeasureKind::Distance) {
     const QPointF along = at[1] - at[0], middle = 0.5 * (at[0] + at[1]);
     return {beyond(at[1], along, size), beyond(at[0], -along, size), beyond(middle, across(along), size),
@@ -70,6 +72,13 @@ QPolygonF outlineOf(const ShownMeasure& measure) {
   return outline;
 }
 
+QPolygonF headOf(const ShownMeasure& arrow) {
+  const QPointF tip = arrow.handles[0], back = unit(arrow.handles[1] - tip);
+  constexpr double length = 11.0, halfWidth = 4.5;  // device-independent pixels
+  const QPointF base = tip + length * back, side = halfWidth * across(back);
+  return {{base + side, tip, base - side}};
+}
+
 QRectF textBoxOf(const ShownMeasure& measure, QSizeF text, const QRectF& view) {
   const QList<QRectF> boxes = candidates(measure, text);
   const auto inside = std::find_if(boxes.begin(), boxes.end(), [&](const QRectF& box) { return view.contains(box); });
@@ -89,7 +98,10 @@ void drawMeasure(QPainter& painter, const ShownMeasure& measure, const QRectF& v
   for (const QPen& pen : {QPen(QColor(0, 0, 0, 200), 3.2), QPen(colour, 1.4)}) {
     painter.setPen(pen);
     painter.drawPolyline(outline);
+    if (measure.kind == MeasureKind::Arrow) painter.drawPolyline(headOf(measure));
     for (const QPointF& handle : measure.handles) {
+      // What an arrow points at stays free.
+      if (measure.kind == MeasureKind::Arrow && !measure.selected) break;
       const double radius = measure.selected ? 4.0 : 2.5;
       painter.drawEllipse(handle, radius, radius);
     }
@@ -101,6 +113,7 @@ void drawMeasure(QPainter& painter, const ShownMeasure& measure, const QRectF& v
     const QSizeF one = textSize(painter, line);
     size = {std::max(size.width(), one.width()), size.height() + one.height()};
   }
+  if (measure.lines.isEmpty()) return;
   QRectF row = textBoxOf(measure, size, view);
   for (const QString& line : measure.lines) {
     row.setHeight(textSize(painter, line).height());

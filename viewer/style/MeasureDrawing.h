@@ -19,6 +19,8 @@ struct ShownMeasure {
 
 /// The line that is drawn; closed for regions.
 QPolygonF outlineOf(const ShownMeasure& measure);
+/// The two lines of an arrow's head.
+QPolygonF headOf(const ShownMeasure& arrow);
 /// Where text of that size goes: off the line, and inside the view where there is room.
 QRectF textBoxOf(const ShownMeasure& measure, QSizeF text, const QRectF& view);
 void drawMeasure(QPainter& painter, const ShownMeasure& measure, const QRectF& view);

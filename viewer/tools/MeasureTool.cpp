@@ -39,7 +39,7 @@ bool MeasureTool::isDrawing() const { return mode_.draft() && liesHere(*mode_.dr
 
 std::optional<ShownMeasure> MeasureTool::shown(const Measure& measure, const MeasureValues& values) const {
   if (!liesHere(measure)) return std::nullopt;
-  ShownMeasure shown{measure.kind, {}, linesOf(values, *document_.scene().volume), false};
+  ShownMeasure shown{measure.kind, {}, linesOf(measure, values, *document_.scene().volume), false};
   for (const glm::dvec3 handle : handlesOf(measure)) shown.handles << canvas_.onSlice(handle);
   return shown;
 }
@@ -86,7 +86,9 @@ bool MeasureTool::press(const QMouseEvent& event) {
   if (!mode_.kind()) return false;
   const SliceGeometry& geometry = canvas_.geometry();
   const glm::dvec3 at = canvas_.worldFromWidget(event.position());
-  mode_.setDraft(Measure{*mode_.kind(), {at, at}, glm::normalize(geometry.right), glm::normalize(geometry.down)});
+  std::vector<glm::dvec3> points(std::min<std::size_t>(pointCount(*mode_.kind()), 2), at);
+  mode_.setDraft(
+      Measure{*mode_.kind(), std::move(points), glm::normalize(geometry.right), glm::normalize(geometry.down)});
   return true;
 }
 
@@ -124,6 +126,7 @@ void MeasureTool::release(const QMouseEvent& event) {
   }
   if (!isDrawing()) return;
   Measure draft = *mode_.draft();
+  if (draft.kind == MeasureKind::Text) return mode_.finishDraft();  // which a click places
   const QPointF before = canvas_.onSlice(draft.points[draft.points.size() - 2]);
   if (QLineF(before, event.position()).length() <= clickSlack) return;  // the first click of two
   draft.points.back() = canvas_.worldFromWidget(event.position());

@@ -1,9 +1,9 @@
 #pragma once
 // Drawing, moving and selecting measures on one slice view. Positions are in device-independent pixels of the view.
 //
-// While a kind is chosen (MeasureMode), a drag or two clicks draw a distance or a region; an angle takes a third point.
-// A left drag on a handle moves it, one on the line moves the measure; both are one step to undo. A press on a measure
-// selects it, one beside it deselects.
+// While a kind is chosen (MeasureMode), a drag or two clicks draw a distance, a region or an arrow; an angle takes a
+// third point, and a text one. A left drag on a handle moves it, one on the line moves the measure; both are one step
+// to undo. A press on a measure selects it, one beside it deselects.
 
 #include <optional>
 #include <vector>
