@@ -11,9 +11,9 @@ namespace {
 
 constexpr int chordCount = 2048;
 
-/// Estimated RMS of a picture, 0 to 1, from which on it gets a bound. Normal quality promises 1/255; the rest is for
-/// what lies between rays, and for what chords from all over the volume miss.
-constexpr double mostEstimate = 0.75 / 255.0;
+/// Estimated RMS of a picture, 0 to 1, from which on it gets a bound. Normal quality promises 1/255; half of that is
+/// for what lies between rays, and for what chords from all over the volume miss.
+constexpr double mostEstimate = 0.5 / 255.0;
 
 /// Cells that a ray meets on its way through a volume along its longest side.
 double mostCells(const Grid& grid) { return std::max({grid.dims.x, grid.dims.y, grid.dims.z}); }

@@ -194,6 +194,18 @@ TEST_F(QualityErrors, OnlySteepUnlitPicturesOfNormalQualityChooseABound) {
   expectAsBefore(steep, view);
 }
 
+/// Opaque labels of several colours that meet within cells: each is as wide on the screen as its own voxels.
+TEST_F(QualityErrors, NormalTellsLabelsApartWithinACell) {
+  Scene scene = waves(8);
+  const Grid& grid = scene.volume->grid;
+  auto labels = labelsOf(grid, [](glm::ivec3 i) { return 1 + (i.x + 2 * i.y + i.z) % 3; });
+  labels->labels = {{1, "red", {0.9, 0.1, 0.1}}, {2, "green", {0.1, 0.8, 0.2}}, {3, "blue", {0.2, 0.2, 0.9}}};
+  scene.labels = labels;
+  scene.look.focus = LabelFocus{{1, 2, 3}};
+  scene.look.cutaway.enabled = false;
+  EXPECT_LT(errorsOf(scene, aside(scene), Quality::Normal).rms, 3.0) << "outlines between pixels";
+}
+
 TEST_F(QualityErrors, NormalLightsTheSideThatIsSeen) {
   // Surfaces that turn opaque within a voxel: lit where light comes from, not in the middle of what is behind it.
   Scene scene = waves(32);

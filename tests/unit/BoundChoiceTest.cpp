@@ -65,8 +65,8 @@ TEST(BoundChoice, IsForUnlitVoxelsInNormalQualityAlone) {
   const Scene scene = plain(chequered(2.0), ridge);
   ASSERT_TRUE(choice.boundFor(scene, {}));
   for (const Quality quality : {Quality::Draft, Quality::High})
-    EXPECT_FALSE(choice.boundFor(scene, {.quality = quality}));
-  EXPECT_FALSE(choice.boundFor(scene, {.maxError = 8.0}));
+    EXPECT_FALSE(choice.boundFor(scene, {.camera = {}, .quality = quality}));
+  EXPECT_FALSE(choice.boundFor(scene, {.camera = {}, .maxError = 8.0}));
   Scene other = scene;
   other.look.shading.enabled = true;
   EXPECT_FALSE(choice.boundFor(other, {}));
