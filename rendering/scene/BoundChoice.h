@@ -13,7 +13,7 @@ namespace fenestra {
 
 /// Normal quality takes the value along a ray to change evenly over each cell. Where voxels are coarse and the
 /// context's function is steep, that is wrong by more than normal quality may be; such pictures are drawn within a
-/// bound, which costs up to three times the time. The choice is one for the whole picture, so that no cut of it shows,
+/// bound, which takes three to four times as long. The choice is one for the whole picture, so that no cut of it shows,
 /// and depends on neither camera nor size. The answer is kept until the volume or the function changes.
 class BoundChoice {
  public:
