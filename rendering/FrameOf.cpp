@@ -112,6 +112,8 @@ FocusLayerPass::Sampling samplingFor(const Frame& frame, const GpuScene& gpu) {
   if (frame.exploded)
     sampling.maxError = sampling.maxError.value_or(FocusLayerPass::usualBound) /
                         (explosionOf(frame.look())->planes + (frame.exploded->hasFocus ? 3 : 1));
+  if (!sampling.maxError)
+    if (const auto chosen = gpu.chosenBound(frame.scene, frame.view())) sampling = {.maxError = *chosen / 255.0};
   return sampling;
 }
 

@@ -124,8 +124,15 @@ std::vector<double> warmFrames(const std::vector<double>& frames) {
   return warm;
 }
 
-Json statistics(const std::string& description, const View& view, const Renderer& renderer, const GpuScene& gpuScene,
-                const std::vector<double>& frames) {
+/// The bound on a pixel's error that the picture is drawn within, in 1/255: the one that was asked for, or else the one
+/// that normal quality has chosen; null where there is none.
+Json boundOf(const Scene& scene, const View& view, const GpuScene& gpuScene) {
+  const std::optional<double> asked = errorBound(view), bound = asked ? asked : gpuScene.chosenBound(scene, view);
+  return bound ? Json(*bound) : Json();
+}
+
+Json statistics(const std::string& description, const Scene& scene, const View& view, const Renderer& renderer,
+                const GpuScene& gpuScene, const std::vector<double>& frames) {
   Json passes = Json::array();
   for (std::size_t pass = 0; pass < passCount; ++pass) {
     const PassStats& stats = renderer.stats()[pass];
@@ -137,9 +144,16 @@ Json statistics(const std::string& description, const View& view, const Renderer
   resources.push_back({{"name", "images"}, {"bytes", renderer.imageBytes()}});
   const std::vector<double> warm = warmFrames(frames);
   return {
-      {"gl", description},           {"schedule", nameOf(gpuScene.schedule())}, {"size", {view.size.x, view.size.y}},
-      {"passes", std::move(passes)}, {"resources", std::move(resources)},       {"total_ms", frames.back()},
-      {"frames_ms", frames},         {"median_ms", warm[warm.size() / 2]},      {"min_ms", warm.front()},
+      {"gl", description},
+      {"schedule", nameOf(gpuScene.schedule())},
+      {"size", {view.size.x, view.size.y}},
+      {"passes", std::move(passes)},
+      {"resources", std::move(resources)},
+      {"total_ms", frames.back()},
+      {"frames_ms", frames},
+      {"median_ms", warm[warm.size() / 2]},
+      {"min_ms", warm.front()},
+      {"max_error", boundOf(scene, view, gpuScene)},
   };
 }
 
@@ -205,7 +219,8 @@ void render(const RenderOptions& options) {
   io::writePng(options.output, view.size, 3, withoutAlpha(picture), proof);
   if (!options.layers.empty()) writeLayers(options.layers, renderer.readLayers(), view, scene.volume->grid);
   if (!options.stats.empty())
-    io::writeText(options.stats, statistics(context->description(), view, renderer, *gpuScene, frames).dump(2) + "\n");
+    io::writeText(options.stats,
+                  statistics(context->description(), scene, view, renderer, *gpuScene, frames).dump(2) + "\n");
 }
 
 }  // namespace fenestra::cli

@@ -22,6 +22,7 @@
 #include "rendering/gpu/Schedule.h"
 #include "rendering/gpu/TransferTables.h"
 #include "rendering/gpu/VolumeTexture.h"
+#include "rendering/scene/BoundChoice.h"
 #include "rendering/scene/Fading.h"
 #include "rendering/scene/PeeledScene.h"
 #include "rendering/scene/Scene.h"
@@ -135,6 +136,10 @@ class GpuScene {
   /// for, because pictures within a bound do without.
   const gl::Texture& preIntegration() const;
   int preIntegrationLevel() const { return preIntegrationLevel_; }  ///< of the one made last
+  /// The bound of a picture of this scene, or of one that is about to be brought up to date, in 1/255; see BoundChoice.
+  std::optional<double> chosenBound(const Scene& scene, const View& view) const {
+    return boundChoice_.boundFor(scene, view);
+  }
   glm::vec2 transferMap() const { return transferMap_; }
   glm::vec4 firstMaterial() const { return firstMaterial_; }  ///< the tables' first entry
   glm::vec4 lastMaterial() const { return lastMaterial_; }
@@ -258,6 +263,7 @@ class GpuScene {
   gl::Texture transferTables_, transferSegments_;
   mutable gl::Texture preIntegration_;  ///< empty until it is asked for, and after a change
   mutable int preIntegrationLevel_ = 0;
+  mutable BoundChoice boundChoice_;
   gl::Buffer segmentOfEntry_;
   glm::vec2 transferMap_{0.0f}, visibleEntries_{0.0f};
   glm::vec4 firstMaterial_{0.0f}, lastMaterial_{0.0f};

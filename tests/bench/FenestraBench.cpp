@@ -31,8 +31,9 @@ struct NamedSection {
 
 const std::vector<NamedSection>& allSections() {
   static const std::vector<NamedSection> all{
-      {"sweep", sweepSection},  {"bounds", boundsSection}, {"looks", looksSection},    {"random", randomSection},
-      {"stages", stageSection}, {"passes", passSection},   {"updates", updateSection}, {"memory", memorySection}};
+      {"sweep", sweepSection},   {"bounds", boundsSection},  {"looks", looksSection},
+      {"random", randomSection}, {"steep", steepSection},    {"stages", stageSection},
+      {"passes", passSection},   {"updates", updateSection}, {"memory", memorySection}};
   return all;
 }
 

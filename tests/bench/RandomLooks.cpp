@@ -4,6 +4,14 @@
 #include <cmath>
 
 namespace fenestra::bench {
+namespace {
+
+void sortByValue(TransferFunction& transfer) {
+  std::sort(transfer.nodes.begin(), transfer.nodes.end(),
+            [](const auto& a, const auto& b) { return a.value < b.value; });
+}
+
+}  // namespace
 
 TransferFunction randomTransfer(ValueRange range, std::mt19937& random) {
   std::uniform_real_distribution<double> share(0.0, 1.0);
@@ -17,8 +25,21 @@ TransferFunction randomTransfer(ValueRange range, std::mt19937& random) {
     node.properties.extinction = extinctionFromOpacity(opacity);
     transfer.nodes.push_back(node);
   }
-  std::sort(transfer.nodes.begin(), transfer.nodes.end(),
-            [](const auto& a, const auto& b) { return a.value < b.value; });
+  sortByValue(transfer);
+  return transfer;
+}
+
+TransferFunction steepTransfer(ValueRange range, std::mt19937& random) {
+  std::uniform_real_distribution<double> share(0.0, 1.0);
+  TransferFunction transfer;
+  for (int i = 0; i < 7; ++i) {
+    TransferFunction::Node node;
+    node.value = range.low + share(random) * (range.high - range.low);
+    node.properties.colour = {share(random), share(random), share(random)};
+    node.properties.extinction = extinctionFromOpacity(0.35 * share(random));
+    transfer.nodes.push_back(node);
+  }
+  sortByValue(transfer);
   return transfer;
 }
 

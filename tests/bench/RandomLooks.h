@@ -13,6 +13,10 @@ namespace fenestra::bench {
 /// 0.9 over 1 mm alike.
 TransferFunction randomTransfer(ValueRange range, std::mt19937& random);
 
+/// Seven nodes anywhere in the range of values, of any colour and any opacity up to 0.35 over 1 mm: steep where nodes
+/// are near each other, and nowhere clear.
+TransferFunction steepTransfer(ValueRange range, std::mt19937& random);
+
 /// From anywhere but the poles, in perspective or in parallel projection.
 Camera randomCamera(const Grid& grid, std::mt19937& random);
 

@@ -16,6 +16,8 @@ Section sweepSection(const Options& options, const TruthStore& truths);
 Section looksSection(const Options& options, const TruthStore& truths);
 /// Error and time under random transfer functions.
 Section randomSection(const Options& options, const TruthStore& truths);
+/// The same under steep functions, unlit, of coarse volumes in larger pictures.
+Section steepSection(const Options& options, const TruthStore& truths);
 /// Each stage's error in its own unit.
 Section stageSection(const Options& options, const TruthStore& truths);
 /// The time of each pass; these three need no reference pictures.

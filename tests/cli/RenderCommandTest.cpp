@@ -47,6 +47,7 @@ TEST_F(RenderCommand, RenderWritesPictureLayersCameraAndStatistics) {
   EXPECT_GT(stats["total_ms"].get<double>(), 0.0);
   EXPECT_GE(stats["median_ms"].get<double>(), stats["min_ms"].get<double>());
   EXPECT_FALSE(stats["gl"].get<std::string>().empty());
+  EXPECT_TRUE(stats["max_error"].is_null()) << "lit pictures of normal quality have no bound";
 }
 
 TEST_F(RenderCommand, SavedCameraGivesTheSamePicture) {

@@ -1,6 +1,10 @@
 // The promises of draft and normal quality: the order of their errors, the details that they must not step over, and
 // where the focus begins and ends. High quality is a bound on the error, which the hard cases hold.
 
+#include <random>
+
+#include "rendering/FrameOf.h"
+#include "rendering/ViewSampling.h"
 #include "rendering/reference/Picture.h"
 #include "tests/gl/GlTest.h"
 
@@ -143,6 +147,67 @@ TEST_F(QualityErrors, BoundsHoldInHighlights) {
       renderer.render(scene, view);
       EXPECT_LE(errorsOf(scene, view.camera, renderer.readLayers()).worst, bound) << shininess;
     }
+}
+
+/// Values without order from voxel to voxel, 4 mm apart, under functions of seven nodes: no cell's values change
+/// evenly.
+TEST_F(QualityErrors, NormalFollowsSteepFunctionsThroughCoarseVoxels) {
+  std::mt19937 random(5);
+  const auto share = [&random] { return static_cast<double>(random()) / 4294967296.0; };
+  Scene scene;
+  scene.volume = volumeOf<float>(gridOf({12, 12, 12}, glm::dvec3(4.0)), [&](glm::ivec3) { return share(); });
+  scene.look.shading.enabled = false;
+  scene.look.reconstruction = Reconstruction::Linear;
+  for (int picture = 0; picture < 4; ++picture) {
+    scene.look.context.function.nodes.clear();
+    for (int i = 0; i < 7; ++i)
+      scene.look.context.function.nodes.push_back(
+          {(i + 0.8 * share()) / 7.0, {{share(), share(), share()}, extinctionFromOpacity(0.35 * share())}});
+    EXPECT_LT(errorsOf(scene, aside(scene), Quality::Normal).rms, 1.0) << "what normal quality promises";
+    EXPECT_GT(errorsOf(scene, aside(scene), Quality::Draft).rms, 1.5) << "too little to tell";
+  }
+}
+
+/// The sampling is all that the choice of a bound changes, so an equal one draws the same bits.
+TEST_F(QualityErrors, OnlySteepUnlitPicturesOfNormalQualityChooseABound) {
+  const auto drawn = [](const Scene& scene, const View& view) {
+    GpuScene gpu;
+    gpu.update(scene);
+    return frameOf(scene, view, gpu, nullptr).sampling;
+  };
+  const auto expectAsBefore = [&](const Scene& scene, const View& view) {
+    EXPECT_EQ(drawn(scene, view), samplingOf(view, scene.volume->grid, scene.look.shading.enabled));
+  };
+  const Scene smooth = waves(24);
+  const View view{aside(smooth), size};
+  expectAsBefore(smooth, view);
+  Scene steep = waves(12);
+  for (int i = 0; i < 24; ++i)
+    steep.look.context.function.nodes.push_back({100.0 + 33.0 * i, {glm::dvec3(i % 2), i % 2 ? 0.0 : 0.3}});
+  std::sort(steep.look.context.function.nodes.begin(), steep.look.context.function.nodes.end(),
+            [](const auto& a, const auto& b) { return a.value < b.value; });
+  EXPECT_EQ(drawn(steep, view).maxError, BoundChoice::bound / 255.0);
+  for (const Quality quality : {Quality::Draft, Quality::High})
+    expectAsBefore(steep, {.camera = view.camera, .size = size, .quality = quality});
+  expectAsBefore(steep, {.camera = view.camera, .size = size, .maxError = 4.0});
+  steep.look.shading.enabled = true;
+  expectAsBefore(steep, view);
+}
+
+/// Opaque labels of several colours that meet within cells: each is as wide on the screen as its own voxels.
+TEST_F(QualityErrors, NormalTellsLabelsApartWithinACell) {
+  const Grid grid = gridOf({8, 8, 8}, glm::dvec3(7.5));
+  Scene scene;
+  scene.volume = volumeOf<std::uint8_t>(grid, [](glm::ivec3) { return 50; });
+  scene.look.shading.enabled = false;
+  scene.look.reconstruction = Reconstruction::Linear;
+  auto labels = labelsOf(grid, [](glm::ivec3 i) { return 1 + (i.x + 2 * i.y + i.z) % 3; });
+  labels->labels = {{1, "red", {0.9, 0.1, 0.1}}, {2, "green", {0.1, 0.8, 0.2}}, {3, "blue", {0.2, 0.2, 0.9}}};
+  scene.labels = labels;
+  scene.look.focus = LabelFocus{{1, 2, 3}};
+  scene.look.cutaway.enabled = false;
+  ASSERT_FALSE(BoundChoice().boundFor(scene, {aside(scene), size}));
+  EXPECT_LT(errorsOf(scene, aside(scene), Quality::Normal).rms, 1.0) << "what normal quality promises";
 }
 
 TEST_F(QualityErrors, NormalLightsTheSideThatIsSeen) {

@@ -114,6 +114,14 @@ inline Scene occluded(Scene scene) {
   return scene;
 }
 
+/// A body whose context changes several times within a cell, so that normal quality chooses a bound.
+inline Scene steep(Scene scene) {
+  scene.look.context.function.nodes.clear();
+  for (int i = 0; i < 16; ++i)
+    scene.look.context.function.nodes.push_back({20.0 + 7.0 * i, {{i % 2, 0.5, i % 3 / 2.0}, i % 2 ? 0.6 : 0.0}});
+  return scene;
+}
+
 /// Every way of another method than the adaptive cutaway to open a body, by name.
 inline std::vector<std::pair<std::string, Method>> otherMethods() {
   const auto average = [](Sparseness sparseness) {
@@ -182,6 +190,9 @@ inline std::vector<SceneKind> allSceneKinds() {
   addSceneKinds<std::uint8_t>("uint8", others);
   addSceneKinds<float>("float", others);
   for (std::size_t i = 0; i < others.size(); i += 7) kinds.push_back(others[i]);
+  // Unlit, in normal quality, with each kind of focus, opened and not in turns.
+  for (const std::size_t i : {1u, 21u, 33u, 53u})
+    kinds.push_back({kinds[i].name + ", steep", steep(kinds[i].scene), kinds[i].view});
   const std::size_t plain = kinds.size();
   for (std::size_t i = 0; i < plain; i += 5) {
     SceneKind spline = kinds[i];

@@ -91,7 +91,7 @@ ScenePreparation::~ScenePreparation() {
   glContext_.run([this] { gpuScene_.reset(); });
 }
 
-ScenePreparation::Kind ScenePreparation::kindOf(const Scene& scene, const View& view) {
+ScenePreparation::Kind ScenePreparation::kindOf(const Scene& scene, const View& view) const {
   const Look& look = scene.look;
   const auto* labels = std::get_if<LabelFocus>(&look.focus);
   ShownVolume volume = shownVolume(scene);
@@ -118,7 +118,8 @@ ScenePreparation::Kind ScenePreparation::kindOf(const Scene& scene, const View& 
           .levels = !importanceLevels(scene).empty(),
           .apart = hasCutaway(scene) && (view.frozen || look.cutaway.axisOffset != 0.0),
           .smoothEdges = hasSmoothEdges(look, view),
-          .sampling = samplingOf(view, scene.volume->grid, look.shading.enabled)};
+          .sampling = samplingOf(view, scene.volume->grid, look.shading.enabled),
+          .chosenBound = gpuScene_->chosenBound(scene, view)};
 }
 
 bool ScenePreparation::isKnown(const Kind& kind) const {
@@ -154,8 +155,8 @@ Scene ScenePreparation::held(Scene scene) const {
 }
 
 void ScenePreparation::prepareAhead(const Scene& scene, const View& view) {
+  if (glContext_.isBusy()) return;  // the other thread has the scene
   const Kind kind = kindOf(scene, view);
-  if (glContext_.isBusy()) return;
   if (isKnown(kind)) return goOn();
   isAhead_ = true;
   start(scene, view, kind);

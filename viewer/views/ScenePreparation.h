@@ -61,9 +61,11 @@ class ScenePreparation {
     bool apart = false;    ///< another camera cuts the opening
     bool smoothEdges = false;
     ViewSampling sampling{};
+    std::optional<double> chosenBound{};  ///< BoundChoice.h
     bool operator==(const Kind&) const = default;
   };
-  static Kind kindOf(const Scene& scene, const View& view);
+  /// While no other thread has the scene.
+  Kind kindOf(const Scene& scene, const View& view) const;
   bool isKnown(const Kind& kind) const;
   void start(const Scene& scene, const View& view, const Kind& kind);
   /// Goes on with warmUp().

@@ -6,7 +6,10 @@
 //   focusTable     with FOCUS_FUNCTIONS, where some of the focus is shown by value: the first row of its function in
 //                  lib/Transfer.glsl's tables, and entry = stored value · y + z there; 0 where it is of one material
 //   nextColour     where after u the material or function changes along a path within a cell
+//   MANY_COLOURS   whether it ever does
 #include "lib/integral/Bodies.glsl"
+
+const bool MANY_COLOURS = false;
 
 vec4 focusMaterial(vec3 at) { return vec4(0.0); }
 Label focusLabel(vec3 at) { return noLabel(); }

@@ -2,6 +2,8 @@
 #include "lib/Uniforms.glsl"
 #include "lib/integral/Bodies.glsl"
 
+const bool MANY_COLOURS = false;
+
 vec4 focusMaterial(vec3 at) { return vec4(focus.material.rgb, 1.0) * focus.material.a; }
 Label focusLabel(vec3 at) { return Label(FOCUS_LABELS, focus.table.w); }
 vec4 focusTable(vec3 at) { return focus.table; }

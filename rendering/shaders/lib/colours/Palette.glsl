@@ -4,6 +4,8 @@
 #include "lib/Uniforms.glsl"
 #include "lib/integral/Bodies.glsl"
 
+const bool MANY_COLOURS = true;
+
 uniform usampler3D focusPaletteIndex;
 uniform sampler2D focusPalette;  // a row of colours and opacities, and with functions one of their tables
 

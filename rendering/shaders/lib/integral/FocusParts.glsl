@@ -77,6 +77,32 @@ vec4 pieceInFocus(Walk walk, ivec3 cell, RayPoint enters, RayPoint leavesAt) {
   return pieceBetween(walk, enters, leavesAt, material, true);
 }
 
+vec4 shownInFocus(inout Walk walk, ivec3 cell, RayPoint enters, RayPoint leavesAt) {
+  vec4 piece = pieceInFocus(walk, cell, enters, leavesAt);
+  if (!HAS_BODIES) return piece;
+  Label label = focusLabel(cellPosition(walk.ray, 0.5 * (enters.s + leavesAt.s)));
+  return shownOf(walk.bodies, label, piece, enters.s, leavesAt.s);
+}
+
+// What shows of the focus from one point in a cell to another. Where labels have materials of their own, each stretch has that
+// of its nearest voxel: an opaque label hides what follows within a part of the cell.
+vec4 focusBetween(inout Walk walk, ivec3 cell, RayPoint enters, RayPoint leavesAt) {
+  if (!MANY_COLOURS) return shownInFocus(walk, cell, enters, leavesAt);
+  vec3 a = clamp(cellPosition(walk.ray, enters.s) - vec3(cell), 0.0, 1.0);
+  vec3 b = clamp(cellPosition(walk.ray, leavesAt.s) - vec3(cell), 0.0, 1.0);
+  RayPoint begin = enters, end;
+  float from = 0.0, to = 0.0;
+  vec4 result = vec4(0.0);
+  do {
+    to = nextColour(a, b, from);
+    end = between(enters, leavesAt, to);
+    result = over(result, shownInFocus(walk, cell, begin, end));
+    begin = end;
+    from = to;
+  } while (to < 1.0);
+  return result;
+}
+
 vec4 pieceOfContext(Walk walk, RayPoint front, RayPoint back) {
   vec4 mean = meanWithoutBranch(contextTable(), boundAt(contextTable(), front.entry), boundAt(contextTable(), back.entry));
   return pieceBetween(walk, front, back, mean, false);
@@ -112,11 +138,7 @@ vec4 focusPiece(inout Walk walk, ivec3 cell, vec2 part) {
   RayPoint front = walk.front, back = walk.back;
   RayPoint enters = between(front, back, part.x), leavesAt = between(front, back, max(part.x, part.y));
   vec4 before = contextBetween(walk, cell, front, enters);
-  vec4 inside = pieceInFocus(walk, cell, enters, leavesAt);
-  if (HAS_BODIES) {
-    Label label = focusLabel(cellPosition(walk.ray, 0.5 * (enters.s + leavesAt.s)));
-    inside = shownOf(walk.bodies, label, inside, enters.s, leavesAt.s);
-  }
+  vec4 inside = focusBetween(walk, cell, enters, leavesAt);
   vec4 behind = contextBetween(walk, cell, leavesAt, back);
   return over(over(before, inside), behind);
 }
