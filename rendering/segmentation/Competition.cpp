@@ -151,7 +151,7 @@ std::vector<Level> Competition::allOf(const TubeRegion& tube) const {
 
 Competition::Region Competition::further(glm::ivec3 seed, const StructurePrior& prior, const FirstRegion& first) const {
   const VoxelBox whole = wholeOf(volume_.grid.dims);
-  Region region{tissues_.joinsOf(volume_, seed)};
+  Region region{tissues_.joinsOf(volume_, seed, TissueTree::From::Voxel)};
   keepTo(ball_, volume_.grid, whole, region.joins);
   auto clearest = clearestStep(curveOf(region.joins, first.costs, first.noise), prior, volume_.grid);
   if (std::optional<std::vector<Level>> bone = bones_ ? bones_->joinsOf(seed) : std::nullopt) {
