@@ -156,7 +156,7 @@ CorrectedRegion corrected(const Volume& volume, const Competition& competition, 
       if (taken[i] || joins[i] >= last) joins[i] = never;
   }
   // The tolerance stays: what is added and taken away is all that changes.
-  region.curve = competition.curveOf(joins, first.costs, first.noise);
+  region.curve = competition.curveOf(joins, first);
   beginWith(region.curve, automatic);
   return region;
 }

@@ -15,9 +15,10 @@
 namespace fenestra::segmentation {
 namespace {
 
-constexpr double mostCells = 60000.0;  ///< of a region: a cut of more takes longer than a click may
+constexpr double mostCutCells = 60000.0;  ///< of a region: a cut of more takes longer than a click may
 constexpr double largestClaim = 25.0, largestClaimSides = 40.0;  ///< mm, and voxel sides, whichever is less
 constexpr double bodyReach = 2.0;    ///< voxel sides: an irregular surface has balls that grow no farther than this
+constexpr double farNearer = 0.8;    ///< of the distance from a body that the seed inside has
 constexpr float alwaysHeld = 0.02f;  ///< what a contact across the greatest difference costs, of one without any
 constexpr float claimed = 1e12f;     ///< mm²: no cut passes here
 
@@ -91,7 +92,7 @@ class CutCells {
         ++voxels;
       }
     if (box_.empty()) return;
-    const double side = std::cbrt(static_cast<double>(voxels) * volume.grid.voxelVolume() / mostCells);
+    const double side = std::cbrt(static_cast<double>(voxels) * volume.grid.voxelVolume() / mostCutCells);
     size_ = glm::max(glm::ivec3(1), glm::ivec3(glm::round(glm::dvec3(side) / volume.grid.spacing)));
     cells_ = wholeOf((box_.dims() + size_ - 1) / size_);
     numbers_.assign(cells_.count(), none);
@@ -181,9 +182,11 @@ class Claims {
       if (!cells_.holds(seed)) continue;
       const Ball own = ballAt(seed), body = bodyOf(own);
       claim(own, Side::Inside);
-      // A seed outside that lies in the middle of the body means the body.
-      const bool isOutside = std::ranges::any_of(
-          balls, [&](const Ball& ball) { return lengthOf(body.centre - ball.centre) < ball.radius; });
+      // A seed outside that lies in the middle of the body, or far nearer to it, means the body.
+      const bool isOutside = std::ranges::any_of(balls, [&](const Ball& ball) {
+        return lengthOf(body.centre - ball.centre) <
+               std::max(ball.radius, farNearer * lengthOf(body.centre - own.centre));
+      });
       if (!isOutside) claim(body, Side::Inside);
     }
     for (const Ball& ball : balls) claim(ball, Side::Outside);
