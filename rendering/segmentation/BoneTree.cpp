@@ -7,6 +7,7 @@
 #include <unordered_map>
 
 #include "rendering/segmentation/BoneVoxels.h"
+#include "rendering/segmentation/HounsfieldGuess.h"
 #include "rendering/segmentation/Morphology.h"
 #include "rendering/segmentation/PairQueue.h"
 #include "rendering/segmentation/Smoothing.h"
@@ -18,6 +19,7 @@ namespace {
 constexpr double neckUnit = 4.0;       ///< units of the noise: the cost of a neck of half the width
 constexpr double narrowestNeck = 0.3;  ///< parts with less in common are two bones at every tolerance
 constexpr double closingRadius = 2.0;  ///< voxel sides
+constexpr double nearHalf = 50.0;      ///< mm: farther away no bone's canal begins that holds a seed
 constexpr double jointWidth = 0.7;     ///< a narrower neck is a joint, a wider one is part of a bone
 /// HU, and deviations of the noise: three in ten values of bone differ by more from their median, where those of blood
 /// or tissue with a contrast agent do not.
@@ -137,10 +139,15 @@ VoxelBox boxOf(const VoxelSet& voxels, const std::vector<std::uint32_t>& leaves,
 }  // namespace
 
 std::shared_ptr<const BoneTree> BoneTree::build(const Volume& volume, const std::function<bool()>& goOn) {
-  assert(volume.isInHounsfieldUnits() && volume.grid.voxelCount() < UINT32_MAX);
+  assert(volume.grid.voxelCount() < UINT32_MAX);
   const auto tree = std::make_shared<BoneTree>();
   tree->grid_ = volume.grid;
-  tree->voxels_ = boneVoxels(volume);
+  if (!volume.isInHounsfieldUnits()) {
+    const std::optional<HounsfieldGuess> guess = hounsfieldGuess(volume);
+    if (!guess) return nullptr;
+    tree->scaled_ = inHounsfieldUnits(volume, *guess, wholeOf(volume.grid.dims));
+  }
+  tree->voxels_ = boneVoxels(tree->inUnits(volume));
   if (goOn && !goOn()) return nullptr;
   const std::vector<float> depths = depthsOf(tree->voxels_, volume.grid);
   if (goOn && !goOn()) return nullptr;
@@ -153,7 +160,12 @@ std::shared_ptr<const BoneTree> BoneTree::build(const Volume& volume, const std:
 }
 
 bool BoneTree::isNear(const Volume& volume, glm::ivec3 seed) {
-  return isNearBone(volume, seed, nearOffsets(volume.grid));
+  if (volume.isInHounsfieldUnits()) return isNearBone(volume, seed, nearOffsets(volume.grid));
+  const std::optional<HounsfieldGuess> guess = hounsfieldGuess(volume);
+  if (!guess) return false;
+  const auto half = glm::ivec3(glm::ceil(nearHalf / volume.grid.spacing));
+  const VoxelBox around = VoxelBox{seed - half, seed + half + 1}.clippedTo(wholeOf(volume.grid.dims));
+  return isNearBone(*inHounsfieldUnits(volume, *guess, around), seed - around.low, nearOffsets(volume.grid));
 }
 
 /// The leaf of the nearest dense voxel that a closing could reach the seed from.
@@ -199,7 +211,8 @@ std::optional<std::vector<Level>> BoneTree::joinsOf(glm::ivec3 seed) const {
 
 int BoneTree::lastStep() { return levelOf(neckUnit * (1.0 / jointWidth - 1.0)) + 1; }
 
-bool BoneTree::isBone(const Volume& volume, std::span<const Level> joins, int step) const {
+bool BoneTree::isBone(const Volume& shown, std::span<const Level> joins, int step) const {
+  const Volume& volume = inUnits(shown);
   std::vector<double> values;
   for (const std::uint32_t offset : voxels_.offsets())
     if (joins[offset] < step) values.push_back(volume.value(wholeOf(grid_.dims).at(offset)));
@@ -215,7 +228,8 @@ bool BoneTree::isBone(const Volume& volume, std::span<const Level> joins, int st
 }
 
 std::size_t BoneTree::heldBytes() const {
-  return voxels_.heldBytes() + leaves_.size() * sizeof(std::uint32_t) + merges_.heldBytes();
+  return (scaled_ ? scaled_->voxels.byteCount() : 0) + voxels_.heldBytes() + leaves_.size() * sizeof(std::uint32_t) +
+         merges_.heldBytes();
 }
 
 }  // namespace fenestra::segmentation

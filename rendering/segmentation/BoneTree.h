@@ -27,12 +27,16 @@ namespace fenestra::segmentation {
 
 class BoneTree {
  public:
-  /// `volume` is in Hounsfield units and has fewer than 2³² voxels. `goOn` is asked now and then; null when it returned
-  /// false. Takes up to three bytes a voxel while it runs, and some 40 for each dense one. Deterministic.
+  /// `volume` has fewer than 2³² voxels. Where it is a CT in other units than Hounsfield's (HounsfieldGuess.h), the
+  /// tree holds a copy of it in these. `goOn` is asked now and then; null when it returned false, and where the volume
+  /// is no CT. Takes up to three bytes a voxel while it runs, and some 40 for each dense one. Deterministic.
   static std::shared_ptr<const BoneTree> build(const Volume& volume, const std::function<bool()>& goOn = {});
 
-  /// Whether joinsOf() could find a bone at a seed. Needs no tree, and little time.
+  /// Whether joinsOf() could find a bone at a seed. Needs no tree, and little time. False where the volume is no CT.
   static bool isNear(const Volume& volume, glm::ivec3 seed);
+
+  /// The volume that the tree was built of, in Hounsfield units: `volume` itself where it is.
+  const Volume& inUnits(const Volume& volume) const { return scaled_ ? *scaled_ : volume; }
 
   /// The levels at which voxels join the bone at a seed, which need not be dense itself: that of the least merge which
   /// holds the bone nearest to the seed and the voxel. Regions of all levels are closed with a ball of two voxels, so
@@ -54,6 +58,7 @@ class BoneTree {
   std::uint32_t leafNear(glm::ivec3 seed) const;
 
   Grid grid_;
+  std::shared_ptr<const Volume> scaled_;  ///< null where the volume is in Hounsfield units
   VoxelSet voxels_;
   std::vector<std::uint32_t> leaves_;  ///< by voxel of the set
   MergeTree merges_;

@@ -39,9 +39,9 @@ StructurePrior ofBone(StructurePrior prior) {
   return prior;
 }
 
-/// Whether a region lies in a bone, and most of it is less dense than bone.
-bool isMarrow(const Volume& volume, const std::vector<Level>& joins, int step, const std::vector<Level>& bone,
-              int boneStep) {
+/// Whether a region lies in a bone, and most of it is less dense than bone, unless its density does not count.
+bool isWithin(const Volume& volume, const std::vector<Level>& joins, int step, const std::vector<Level>& bone,
+              int boneStep, bool countsDensity) {
   const VoxelBox whole = wholeOf(volume.grid.dims);
   std::size_t all = 0, within = 0, soft = 0;
   for (std::size_t i = 0; i < joins.size(); ++i)
@@ -50,7 +50,7 @@ bool isMarrow(const Volume& volume, const std::vector<Level>& joins, int step, c
       within += bone[i] < boneStep ? 1 : 0;
       soft += volume.value(whole.at(i)) < boneFrom ? 1 : 0;
     }
-  return static_cast<double>(within) >= marrowShare * static_cast<double>(all) && 2 * soft > all;
+  return static_cast<double>(within) >= marrowShare * static_cast<double>(all) && (!countsDensity || 2 * soft > all);
 }
 
 }  // namespace
@@ -80,6 +80,15 @@ GrowthCurve Competition::curveOf(const std::vector<Level>& joins, std::span<cons
   return growthCurve(joins, costs, volume_.grid, volume_.grid.dims, noise.share());
 }
 
+Noise Competition::boneNoise(const Noise& noise) const {
+  return volume_.isInHounsfieldUnits() ? noise : noiseOf(bones_->inUnits(volume_));
+}
+
+GrowthCurve Competition::curveOf(const std::vector<Level>& joins, const FirstRegion& first) const {
+  if (!first.isBone) return curveOf(joins, first.costs, first.noise);
+  return curveOf(joins, boneCosts(bones_->inUnits(volume_), boneNoise(first.noise)), first.noise);
+}
+
 void Competition::decide(FirstRegion& region) const {
   const StructurePrior prior = priorOf(region);
   auto clearest = clearestStep(region.curve, prior, volume_.grid);
@@ -98,13 +107,17 @@ void Competition::decide(FirstRegion& region) const {
           [&](const std::vector<Level>&, const ClearestStep& other) {
             return !clearest || other.clarity > clearest->clarity + tissuesHandicap;
           });
+  // In other units than Hounsfield's every grain of cortex is as clear as its contrast; in these, what is beyond the
+  // display window counts less.
   if (std::optional<std::vector<Level>> bone = bones_ ? bones_->joinsOf(region.seed) : std::nullopt)
-    region.isBone = compete(std::move(*bone), boneCosts(volume_, region.noise), ofBone(prior), BoneTree::lastStep(),
-                            [&](const std::vector<Level>& joins, const ClearestStep& other) {
-                              return bones_->isBone(volume_, joins, other.step) &&
-                                     (!clearest || other.clarity > clearest->clarity ||
-                                      isMarrow(volume_, region.joins, clearest->step, joins, other.step));
-                            });
+    region.isBone =
+        compete(std::move(*bone), boneCosts(bones_->inUnits(volume_), boneNoise(region.noise)), ofBone(prior),
+                BoneTree::lastStep(), [&](const std::vector<Level>& joins, const ClearestStep& other) {
+                  return bones_->isBone(volume_, joins, other.step) &&
+                         (!clearest || other.clarity > clearest->clarity ||
+                          isWithin(bones_->inUnits(volume_), region.joins, clearest->step, joins, other.step,
+                                   volume_.isInHounsfieldUnits()));
+                });
   if (const std::optional<TubeRegion> tube = clearerTube(region.seed, region, prior, clearest)) {
     region.joins = allOf(*tube);
     region.curve = curveOf(region.joins, region.costs, region.noise);
@@ -151,12 +164,12 @@ std::vector<Level> Competition::allOf(const TubeRegion& tube) const {
 
 Competition::Region Competition::further(glm::ivec3 seed, const StructurePrior& prior, const FirstRegion& first) const {
   const VoxelBox whole = wholeOf(volume_.grid.dims);
-  Region region{tissues_.joinsOf(volume_, seed)};
+  Region region{tissues_.joinsOf(volume_, seed, TissueTree::From::Voxel)};
   keepTo(ball_, volume_.grid, whole, region.joins);
   auto clearest = clearestStep(curveOf(region.joins, first.costs, first.noise), prior, volume_.grid);
   if (std::optional<std::vector<Level>> bone = bones_ ? bones_->joinsOf(seed) : std::nullopt) {
     keepTo(ball_, volume_.grid, whole, *bone);
-    const GrowthCurve curve = curveOf(*bone, boneCosts(volume_, first.noise), first.noise);
+    const GrowthCurve curve = curveOf(*bone, boneCosts(bones_->inUnits(volume_), boneNoise(first.noise)), first.noise);
     const auto other = clearestStep(curve, ofBone(prior), volume_.grid, BoneTree::lastStep());
     if (other && bones_->isBone(volume_, *bone, other->step) &&
         (first.isBone || !clearest || other->clarity > clearest->clarity)) {

@@ -45,12 +45,16 @@ class Competition {
 
   StructurePrior priorOf(const FirstRegion& region) const;
   GrowthCurve curveOf(const std::vector<Level>& joins, std::span<const Level> costs, const Noise& noise) const;
+  /// Of a region that `first` has become: by its own costs, and a bone's by how dense its voxels are.
+  GrowthCurve curveOf(const std::vector<Level>& joins, const FirstRegion& first) const;
   double bodyVolume() const { return tissues_.bodyVolume(); }  ///< mm³
 
  private:
   /// The tube at a seed where it is clearer than `other`, by the costs of `first`.
   std::optional<TubeRegion> clearerTube(glm::ivec3 seed, const FirstRegion& first, const StructurePrior& prior,
                                         const std::optional<ClearestStep>& other) const;
+  /// The noise in the units that bones are found in.
+  Noise boneNoise(const Noise& noise) const;
   /// The levels of a tube for all voxels of the volume.
   std::vector<Level> allOf(const TubeRegion& tube) const;
 

@@ -24,14 +24,21 @@ constexpr double farthestGap = 30.0, farthestGapSides = 40.0;
 /// Radius of the largest ball that a further seed adds, as a multiple of its distance from the region: one at the
 /// surface means a layer.
 constexpr double gapReach = 3.0;
+/// Voxel sides: a seed no farther from the region lies in its rim, and means no more than a rim of the same thickness.
+constexpr double rimGap = 1.8;
+constexpr double rimReach = 3.0;  ///< voxel sides from such a seed: the rim's values differ elsewhere
+/// Voxel sides: what a seed farther from the region adds is bounded by its volume alone.
+constexpr double boundedGap = 5.0;
+constexpr double crumbShare = 0.1;  ///< of a structure's usual size: what a cut would leave is no structure
 /// CutCost::perVolume times the side of a cube as large as the body: smaller bodies have smaller structures. What is
 /// soft has edges to go by, bones have their shape alone.
 constexpr double boneCutPerVolume = 9.0, tissueCutPerVolume = 3.0;
 
-CutCost cutCost(const FirstRegion& first, double bodyVolume) {
-  const double side = std::cbrt(std::max(1.0, bodyVolume));
-  if (first.isBone) return {.perVolume = boneCutPerVolume / side, .edge = std::numeric_limits<double>::infinity()};
-  return {.perVolume = tissueCutPerVolume / side, .edge = first.noise.unit};
+CutCost cutCost(const FirstRegion& first, const StructurePrior& prior, double bodyVolume) {
+  const double side = std::cbrt(std::max(1.0, bodyVolume)), crumb = crumbShare * prior.usual;
+  if (first.isBone)
+    return {.perVolume = boneCutPerVolume / side, .edge = std::numeric_limits<double>::infinity(), .crumb = crumb};
+  return {.perVolume = tissueCutPerVolume / side, .edge = first.noise.unit, .crumb = crumb};
 }
 
 /// mm from a voxel to the region of a step; empty where that is farther than a piece of the region would be.
@@ -54,13 +61,62 @@ double addedBy(const Competition::Region& region, const std::vector<Level>& join
   return added;
 }
 
+/// Steps of a ball from its centre, the nearest first.
+std::vector<glm::ivec3> nearestFirst(const Grid& grid, double radius) {
+  std::vector<glm::ivec3> offsets = ballOffsets(grid, radius);
+  const glm::dmat4 world = grid.worldFromIndex();
+  std::ranges::stable_sort(offsets, {}, [&](glm::ivec3 offset) {
+    return glm::length(glm::dvec3(world * glm::dvec4(glm::dvec3(offset), 0.0)));
+  });
+  return offsets;
+}
+
+/// A seed in the rim of a region says that values as far from the region's as its own still belong: its neighbours join
+/// that lie in the rim, too.
+void addRim(glm::ivec3 seed, double gap, const Volume& volume, int step, std::vector<Level>& joins) {
+  const VoxelBox whole = wholeOf(volume.grid.dims);
+  const double side = voxelSide(volume.grid);
+  const std::vector<glm::ivec3> near = ballOffsets(volume.grid, rimReach * side), rim = ballOffsets(volume.grid, gap);
+  const auto holds = [&](glm::ivec3 at) { return whole.contains(at) && joins[whole.offset(at)] < step; };
+  double sum = 0.0, count = 0.0;
+  for (const glm::ivec3 offset : near)
+    if (holds(seed + offset)) {
+      sum += volume.value(seed + offset);
+      ++count;
+    }
+  const double mean = sum / count, farthest = std::abs(volume.value(seed) - mean);
+  std::vector<std::size_t> added{whole.offset(seed)};
+  for (const glm::ivec3 offset : near) {
+    const glm::ivec3 at = seed + offset;
+    if (!whole.contains(at) || holds(at) || !(std::abs(volume.value(at) - mean) <= farthest)) continue;
+    if (std::ranges::any_of(rim, [&](glm::ivec3 away) { return holds(at + away); })) added.push_back(whole.offset(at));
+  }
+  for (const std::size_t each : added) joins[each] = static_cast<Level>(step - 1);
+}
+
+/// What a seed beside a region means ends as far behind the seed as the region lies before it, by and large.
+void keepNear(double gap, const Grid& grid, const std::vector<Level>& joins, int step, Competition::Region& own) {
+  const VoxelBox whole = wholeOf(grid.dims);
+  const std::vector<glm::ivec3> reach = nearestFirst(grid, 2.0 * gap);
+  for (std::size_t i = 0; i < own.joins.size(); ++i) {
+    if (own.joins[i] == never || joins[i] < step) continue;
+    const glm::ivec3 at = whole.at(i);
+    const bool isNear = own.joins[i] < own.step && std::ranges::any_of(reach, [&](glm::ivec3 away) {
+                          return whole.contains(at + away) && joins[whole.offset(at + away)] < step;
+                        });
+    if (!isNear) own.joins[i] = never;
+  }
+}
+
 /// The clearest region at a further seed joins at the step `automatic`, with its own larger and smaller ones around it.
 void addAt(glm::ivec3 seed, const Volume& volume, const Competition& competition, StructurePrior prior,
            const FirstRegion& first, std::vector<Level>& joins) {
   const int automatic = first.curve.automatic;
   const std::optional<double> gap = gapTo(volume.grid, seed, joins, automatic);
   if (gap == 0.0) return;
-  const bool isBeside = gap && *gap <= besideRadius * voxelSide(volume.grid);
+  const double side = voxelSide(volume.grid);
+  if (gap && *gap <= rimGap * side) return addRim(seed, *gap, volume, automatic, joins);
+  const bool isBeside = gap && *gap <= besideRadius * side;
   prior.most =
       std::min(prior.most, std::max((isBeside ? mostOfMissed : mostOfOther) * prior.expected, mostAdded * prior.usual));
   if (gap) prior.most = std::min(prior.most, 4.0 / 3.0 * std::numbers::pi * std::pow(gapReach * *gap, 3.0));
@@ -70,7 +126,8 @@ void addAt(glm::ivec3 seed, const Volume& volume, const Competition& competition
   if (tube && addedBy(*tube, joins, automatic) * volume.grid.voxelVolume() >
                   (gap ? mostOfMissed : mostOfOther) * prior.expected)
     tube.reset();
-  const Competition::Region own = tube ? std::move(*tube) : competition.further(seed, prior, first);
+  Competition::Region own = tube ? std::move(*tube) : competition.further(seed, prior, first);
+  if (gap && *gap <= boundedGap * side) keepNear(*gap, volume.grid, joins, automatic, own);
   const int shift = automatic - own.step;
   for (std::size_t i = 0; i < joins.size(); ++i)
     if (own.joins[i] != never)
@@ -90,7 +147,7 @@ CorrectedRegion corrected(const Volume& volume, const Competition& competition, 
   for (const glm::ivec3& seed : inside.subspan(1)) addAt(seed, volume, competition, prior, first, joins);
   if (!outside.empty()) {
     const std::vector<std::uint8_t> taken =
-        cutOff(volume, joins, automatic, inside, outside, cutCost(first, competition.bodyVolume()));
+        cutOff(volume, joins, automatic, inside, outside, cutCost(first, prior, competition.bodyVolume()));
     // A greater tolerance stops before it would reach a seed outside, and adds nothing where one has cut.
     Level last = never;
     for (const glm::ivec3& seed : outside)
@@ -99,7 +156,7 @@ CorrectedRegion corrected(const Volume& volume, const Competition& competition, 
       if (taken[i] || joins[i] >= last) joins[i] = never;
   }
   // The tolerance stays: what is added and taken away is all that changes.
-  region.curve = competition.curveOf(joins, first.costs, first.noise);
+  region.curve = competition.curveOf(joins, first);
   beginWith(region.curve, automatic);
   return region;
 }

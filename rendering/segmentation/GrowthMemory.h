@@ -32,7 +32,7 @@ class GrowthMemory {
       : held_(std::make_shared<Held>(Held{std::move(tissues), nullptr, nullptr})) {}
 
   std::shared_ptr<const TissueTree>& tissues() const { return held_->tissues; }
-  /// Null without Hounsfield units, and until a seed is near a bone.
+  /// Null where the volume is no CT, and until a seed is near a bone.
   std::shared_ptr<const BoneTree>& bones() const { return held_->bones; }
   std::shared_ptr<const FirstRegion>& first() const { return held_->first; }
   std::size_t bytes() const {

@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::size_t mostForBones = 200'000'000;  ///< voxels: in larger volumes the search would take too long
 
-bool hasBones(const Volume& volume) { return volume.isInHounsfieldUnits() && volume.grid.voxelCount() <= mostForBones; }
+bool mayHaveBones(const Volume& volume) { return volume.grid.voxelCount() <= mostForBones; }
 
 }  // namespace
 
@@ -28,7 +28,7 @@ bool MemoryBuild::wait(const std::function<bool()>& goOn) {
 }
 
 bool MemoryBuild::lacksBones(const Volume& volume) const {
-  return hasBones(volume) && !memory_.bones() &&
+  return mayHaveBones(volume) && !memory_.bones() &&
          std::any_of(seeds_.begin(), seeds_.end(), [&](glm::ivec3 seed) { return BoneTree::isNear(volume, seed); });
 }
 

@@ -14,8 +14,7 @@ namespace fenestra::segmentation {
 /// Adds to a memory what it lacks of its volume, on a thread of its own, which ends with this.
 class MemoryBuild {
  public:
-  /// `volume` outlives this. Bones are found where one is near a seed, in Hounsfield units alone, and not in very large
-  /// volumes.
+  /// `volume` outlives this. Bones are found where one is near a seed, in CT alone, and not in very large volumes.
   MemoryBuild(const Volume& volume, const GrowthMemory& memory, std::vector<glm::ivec3> seeds);
   ~MemoryBuild() { stops_ = true; }
   MemoryBuild(const MemoryBuild&) = delete;

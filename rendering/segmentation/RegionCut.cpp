@@ -15,8 +15,10 @@
 namespace fenestra::segmentation {
 namespace {
 
-constexpr double mostCells = 60000.0;  ///< of a region: a cut of more takes longer than a click may
+constexpr double mostCutCells = 60000.0;  ///< of a region: a cut of more takes longer than a click may
 constexpr double largestClaim = 25.0, largestClaimSides = 40.0;  ///< mm, and voxel sides, whichever is less
+constexpr double bodyReach = 2.0;    ///< voxel sides: an irregular surface has balls that grow no farther than this
+constexpr double farNearer = 0.8;    ///< of the distance from a body that the seed inside has
 constexpr float alwaysHeld = 0.02f;  ///< what a contact across the greatest difference costs, of one without any
 constexpr float claimed = 1e12f;     ///< mm²: no cut passes here
 
@@ -90,7 +92,7 @@ class CutCells {
         ++voxels;
       }
     if (box_.empty()) return;
-    const double side = std::cbrt(static_cast<double>(voxels) * volume.grid.voxelVolume() / mostCells);
+    const double side = std::cbrt(static_cast<double>(voxels) * volume.grid.voxelVolume() / mostCutCells);
     size_ = glm::max(glm::ivec3(1), glm::ivec3(glm::round(glm::dvec3(side) / volume.grid.spacing)));
     cells_ = wholeOf((box_.dims() + size_ - 1) / size_);
     numbers_.assign(cells_.count(), none);
@@ -160,48 +162,93 @@ enum class Side : std::uint8_t { None, Inside, Outside };
 class Claims {
  public:
   Claims(const Grid& grid, const CutCells& cells)
-      : grid_(grid),
-        cells_(cells),
+      : cells_(cells),
+        worldFromIndex_(grid.worldFromIndex()),
+        side_(voxelSide(grid)),
+        largest_(std::min(largestClaim, largestClaimSides * side_)),
         sides_(cells.count(), Side::None),
-        places_(cells.count(), std::numeric_limits<double>::infinity()) {}
+        places_(cells.count(), std::numeric_limits<double>::infinity()) {
+    for (const glm::ivec3 offset : ballOffsets(grid, largest_)) offsets_.push_back({offset, lengthOf(offset)});
+    std::ranges::stable_sort(offsets_, {}, &Offset::length);
+  }
 
-  /// Seeds that do not lie in the region claim nothing; false where that is so of all.
-  bool add(std::span<const glm::ivec3> seeds, Side side) {
-    bool isInRegion = false;
-    for (const glm::ivec3 seed : seeds)
-      if (cells_.holds(seed)) {
-        claim(seed, side);
-        isInRegion = true;
-      }
-    return isInRegion;
+  /// Seeds that do not lie in the region claim nothing; false where that is so of all those outside.
+  bool add(std::span<const glm::ivec3> inside, std::span<const glm::ivec3> outside) {
+    std::vector<Ball> balls;
+    for (const glm::ivec3 seed : outside)
+      if (cells_.holds(seed)) balls.push_back(ballAt(seed));
+    if (balls.empty()) return false;
+    for (const glm::ivec3 seed : inside) {
+      if (!cells_.holds(seed)) continue;
+      const Ball own = ballAt(seed), body = bodyOf(own);
+      claim(own, Side::Inside);
+      // A seed outside that lies in the middle of the body, or far nearer to it, means the body.
+      const bool isOutside = std::ranges::any_of(balls, [&](const Ball& ball) {
+        return lengthOf(body.centre - ball.centre) <
+               std::max(ball.radius, farNearer * lengthOf(body.centre - own.centre));
+      });
+      if (!isOutside) claim(body, Side::Inside);
+    }
+    for (const Ball& ball : balls) claim(ball, Side::Outside);
+    return true;
   }
 
   Side of(std::uint32_t cell) const { return sides_[cell]; }
 
  private:
+  struct Ball {
+    glm::ivec3 centre{0};
+    double radius = 0.0;  ///< mm
+  };
+  struct Offset {
+    glm::ivec3 step{0};
+    double length = 0.0;  ///< mm
+  };
+
   double lengthOf(glm::ivec3 offset) const {
-    return glm::length(glm::dvec3(grid_.worldFromIndex() * glm::dvec4(glm::dvec3(offset), 0.0)));
+    return glm::length(glm::dvec3(worldFromIndex_ * glm::dvec4(glm::dvec3(offset), 0.0)));
   }
 
-  void claim(glm::ivec3 seed, Side side) {
-    const double largest = std::min(largestClaim, largestClaimSides * voxelSide(grid_));
-    double radius = largest;
-    for (const glm::ivec3 offset : ballOffsets(grid_, largest))
-      if (!cells_.holds(seed + offset)) radius = std::min(radius, lengthOf(offset));
-    for (const glm::ivec3 offset : ballOffsets(grid_, radius)) {
-      const double place = lengthOf(offset) / radius;
-      if (place >= 1.0) continue;
-      const std::uint32_t cell = cells_.numberOf(seed + offset);
+  /// The largest ball around a voxel that the region holds.
+  Ball ballAt(glm::ivec3 voxel) const {
+    for (const auto& [offset, length] : offsets_)
+      if (!cells_.holds(voxel + offset)) return {voxel, length};
+    return {voxel, largest_};
+  }
+
+  /// The ball of the part that a ball lies in: from ball to ball nearby while they grow.
+  Ball bodyOf(Ball ball) const {
+    for (bool grows = true; grows && ball.radius < largest_;) {
+      Ball best = ball;
+      for (const auto& [offset, length] : offsets_) {
+        if (length > std::max(bodyReach * side_, std::min(ball.radius, 1.5 * bodyReach * side_))) break;
+        if (!cells_.holds(ball.centre + offset)) continue;
+        if (const Ball next = ballAt(ball.centre + offset); next.radius > best.radius) best = next;
+      }
+      grows = best.radius > ball.radius;
+      ball = best;
+    }
+    return ball;
+  }
+
+  void claim(const Ball& ball, Side side) {
+    for (const auto& [offset, length] : offsets_) {
+      const double place = length / ball.radius;
+      if (place >= 1.0) break;
+      const std::uint32_t cell = cells_.numberOf(ball.centre + offset);
       if (place >= places_[cell]) continue;
       places_[cell] = place;
       sides_[cell] = side;
     }
   }
 
-  const Grid& grid_;
   const CutCells& cells_;
-  std::vector<Side> sides_;     ///< by cell
-  std::vector<double> places_;  ///< by cell: its distance from the seed over the ball's radius
+  glm::dmat4 worldFromIndex_;
+  double side_;                  ///< mm, of a voxel
+  double largest_;               ///< mm: radius
+  std::vector<Offset> offsets_;  ///< of the largest ball, the nearest first
+  std::vector<Side> sides_;      ///< by cell
+  std::vector<double> places_;   ///< by cell: its distance from the seed over the ball's radius
 };
 
 /// Takes away what no seed inside is connected with any more, too.
@@ -215,13 +262,10 @@ void takeLoose(const CutCells& cells, const VoxelBox& whole, std::span<const glm
     kept.push_back(voxel);
   };
   std::ranges::for_each(inside, keep);
-  for (std::size_t i = 0; i < kept.size(); ++i)
-    for (int axis = 0; axis < 3; ++axis)
-      for (const int way : {-1, 1}) {
-        glm::ivec3 next = kept[i];
-        next[axis] += way;
-        keep(next);
-      }
+  for (std::size_t i = 0; i < kept.size(); ++i) {
+    const VoxelBox around{kept[i] - 1, kept[i] + 2};
+    for (std::size_t n = 0; n < around.count(); ++n) keep(around.at(n));
+  }
   cells.forRegion([&](glm::ivec3 voxel) { taken[whole.offset(voxel)] = isKept[whole.offset(voxel)] ? 0 : 1; });
 }
 
@@ -234,8 +278,7 @@ std::vector<std::uint8_t> cutOff(const Volume& volume, std::span<const Level> jo
   std::vector<std::uint8_t> taken(joins.size(), 0);
   const CutCells cells(volume, joins, step);
   Claims claims(volume.grid, cells);
-  claims.add(inside, Side::Inside);
-  if (!claims.add(outside, Side::Outside)) return taken;
+  if (!claims.add(inside, outside)) return taken;
   FlowNetwork network(cells.count());
   cells.forContacts(cost.edge, [&](std::uint32_t a, std::uint32_t b, float area) { network.connect(a, b, area); });
   for (std::uint32_t cell = 0; cell < cells.count(); ++cell) {
@@ -245,9 +288,19 @@ std::vector<std::uint8_t> cutOff(const Volume& volume, std::span<const Level> jo
       network.fromSource(
           cell, claims.of(cell) == Side::Inside ? claimed : static_cast<float>(cost.perVolume * cells.volumeOf(cell)));
   }
+  const auto take = [&](auto isTaken) {
+    cells.forRegion([&](glm::ivec3 voxel) { taken[whole.offset(voxel)] = isTaken(cells.numberOf(voxel)) ? 1 : 0; });
+  };
   const std::vector<std::uint8_t> behind = network.behindCut();
-  cells.forRegion([&](glm::ivec3 voxel) { taken[whole.offset(voxel)] = behind[cells.numberOf(voxel)]; });
+  take([&](std::uint32_t cell) { return behind[cell] != 0; });
+  double all = 0.0, left = 0.0;  // mm³
   takeLoose(cells, whole, inside, taken);
+  cells.forRegion([&](glm::ivec3 voxel) {
+    all += volume.grid.voxelVolume();
+    left += taken[whole.offset(voxel)] ? 0.0 : volume.grid.voxelVolume();
+  });
+  // The seeds inside lie in no part of their own, and nothing tells how much those outside mean.
+  if (left < cost.crumb && all > cost.crumb) take([&](std::uint32_t cell) { return claims.of(cell) == Side::Outside; });
   return taken;
 }
 

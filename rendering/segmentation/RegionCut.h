@@ -18,13 +18,17 @@ struct CutCost {
   /// Real values: the cut is cheaper between voxels that differ, half as dear at this difference. Infinity: the shape
   /// alone decides.
   double edge = 0.0;
+  /// mm³: a cut that leaves less takes what the seeds outside claim, and no more.
+  double crumb = 0.0;
 };
 
 /// By voxel of the volume: 1 in what the seeds `outside` take away from a region, the voxels with `joins` < `step`; 0
 /// everywhere where none of them lies in the region. The cheapest cut decides (Y. Boykov, M.-P. Jolly: Interactive
 /// graph cuts for optimal boundary & region segmentation of objects in N-D images, ICCV 2001). A seed claims the
 /// largest ball around it that the region holds: one in the middle of a part claims the part's body, one at the
-/// surface a spot. What the cut parts from all seeds `inside` is taken, too.
+/// surface a spot. A seed inside also claims the ball of the part that it lies in, wherever in it that is, unless a
+/// seed outside claims its middle: a click at an organ's surface means the organ. What the cut parts from all seeds
+/// `inside` is taken, too.
 std::vector<std::uint8_t> cutOff(const Volume& volume, std::span<const Level> joins, int step,
                                  std::span<const glm::ivec3> inside, std::span<const glm::ivec3> outside,
                                  const CutCost& cost);

@@ -17,17 +17,32 @@ constexpr double airThreshold = -950.0;
 constexpr double airShare = 0.02;
 
 constexpr double strongEdge = 2.0, weakEdge = 1.0;  ///< noise units, averaged over the border
+/// A region that is less compact is ragged, as leaks are; with a strong enough edge it may still be a long bone.
+constexpr double leastCompact = 0.25, raggedEdge = 3.0;
 constexpr double leakGrowth = 1.5;  ///< a region that grows by this factor in one step of its curve leaks there
 /// Of the radius of the ball of what joins: a middle that is nearer to the region's lies on no side of it.
 constexpr double leastOffset = 0.35;
 
+/// Steps around a region's own, itself not counted: one that fewer steps hold is passed by, and no structure.
+constexpr int leastSteps = 4;
+
 double volumeAt(const Growth& growth, int step) { return growth.curve.volume[static_cast<std::size_t>(step)]; }
+
+/// How many other steps hold the region by and large.
+int stepsAlike(const Growth& growth, int step) {
+  const double volume = volumeAt(growth, step);
+  int first = step, last = step;
+  while (first > 1 && leakGrowth * volumeAt(growth, first - 1) > volume) --first;
+  while (last < stepCount && volumeAt(growth, last + 1) < leakGrowth * volume) ++last;
+  return last - first;
+}
 
 Border borderAt(const Growth& growth, int step, double contrast) {
   const bool isSteady = std::any_of(growth.curve.plateaus.begin(), growth.curve.plateaus.end(),
                                     [&](const Plateau& each) { return each.first <= step && step <= each.last; });
   const bool isStrong = contrast >= strongEdge;
-  if (contrast < weakEdge) return Border::Doubtful;
+  const bool isRagged = growth.curve.compactness[static_cast<std::size_t>(step)] < leastCompact;
+  if (contrast < (isRagged ? raggedEdge : weakEdge)) return Border::Doubtful;
   return isSteady && isStrong ? Border::Clear : isSteady || isStrong ? Border::Fair : Border::Doubtful;
 }
 
@@ -121,7 +136,8 @@ RegionFacts GrowthFacts::at(const Growth& growth, int step) const {
   if (std::all_of(contrasts.begin(), contrasts.end(), [](double contrast) { return contrast == 0.0; })) return facts;
   const double contrast = std::max(0.0, contrasts[static_cast<std::size_t>(step)]);
   facts.contrast = contrast * growth.noise;
-  facts.border = borderAt(growth, step, contrast);
+  facts.isPassing = stepsAlike(growth, step) < leastSteps;
+  facts.border = facts.isPassing ? Border::Doubtful : borderAt(growth, step, contrast);
   facts.leak = leakAfter(growth, step);
   return facts;
 }

@@ -19,7 +19,8 @@ std::optional<double> shareOfBody(const Growth& growth, int step);
 bool isAir(const Volume& volume, glm::ivec3 voxel);
 
 /// How sure a region is: `Clear` lies on a plateau of tolerances, which hardly change it, and on a strong edge,
-/// `Fair` on one of the two.
+/// `Fair` on one of the two. A ragged region needs a stronger edge. A region that nearly any other tolerance makes half
+/// as large again or less than that is doubtful, however strong its edge is: it is a stage of a leak.
 enum class Border : std::uint8_t { Doubtful, Fair, Clear };
 
 struct RegionFacts {
@@ -27,6 +28,7 @@ struct RegionFacts {
   double mean = 0.0, deviation = 0.0;  ///< real values: mean and standard deviation of the voxels
   double contrast = 0.0;               ///< real values: how far they change across the border, on average
   std::optional<Border> border;        ///< empty where the region is only painted
+  bool isPassing = false;              ///< nearly any other tolerance makes it half as large again, or less than that
   /// The next cliff of the curve.
   struct Leak {
     double tolerance = 0.0;   ///< real values: the least that leaks

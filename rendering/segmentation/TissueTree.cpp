@@ -104,7 +104,18 @@ std::size_t TissueTree::heldBytes() const {
          merges_.heldBytes();
 }
 
-std::uint32_t TissueTree::leafAt(glm::ivec3 voxel) const { return leaves_[wholeOf(cells_).offset(voxel / cellSize_)]; }
+std::uint32_t TissueTree::leafAt(const Volume& volume, glm::ivec3 voxel, From from) const {
+  const VoxelBox cells = wholeOf(cells_);
+  const glm::ivec3 cell = voxel / cellSize_;
+  if (from == From::Cell || cellSize_ == glm::ivec3(1)) return leaves_[cells.offset(cell)];
+  const ToneScale scale = voxelScale(volume);
+  const float tone = smoothedTones(volume, {voxel, voxel + 1}, scale).front();
+  return leaves_[cells.offset(cell + atPlace(NearLeaves(leaves_, means_, cells, cell).nearestTo(tone)))];
+}
+
+ToneScale TissueTree::voxelScale(const Volume& volume) const {
+  return {volume, {noiseOf(volume).deviation, noise_.unit}, reference_};
+}
 
 std::span<const std::uint32_t> TissueTree::neighboursOf(std::uint32_t leaf) const {
   return std::span(neighbours_).subspan(firstNeighbour_[leaf], firstNeighbour_[leaf + 1] - firstNeighbour_[leaf]);
@@ -165,7 +176,7 @@ void TissueTree::forVoxels(const Volume& volume, AreAlike areAlike, Visit visit)
     for (std::size_t i = 0; i < leaves_.size(); ++i) visit(i, leaves_[i]);
     return;
   }
-  const ToneScale scale(volume, {noiseOf(volume).deviation, noise_.unit}, reference_);
+  const ToneScale scale = voxelScale(volume);
   places_.resize(wholeOf(tilesOf(cells_)).count());
   parallelFor(places_.size(), 1, [&](std::size_t begin, std::size_t end) {
     for (std::size_t tile = begin; tile < end; ++tile) forTile(volume, scale, tile, areAlike, visit);
@@ -233,8 +244,8 @@ void TissueTree::forTile(const Volume& volume, const ToneScale& scale, std::size
   }
 }
 
-std::vector<Level> TissueTree::joinsOf(const Volume& volume, glm::ivec3 seed) const {
-  std::vector<Level> byLeaf = merges_.joinsFrom(leafAt(seed));
+std::vector<Level> TissueTree::joinsOf(const Volume& volume, glm::ivec3 seed, From from) const {
+  std::vector<Level> byLeaf = merges_.joinsFrom(leafAt(volume, seed, from));
   byLeaf.resize(means_.size());  // leaves come first
   fillPockets(byLeaf);
   std::vector<Level> joins(volume.grid.voxelCount());

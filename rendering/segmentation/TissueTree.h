@@ -39,7 +39,11 @@ class TissueTree {
   /// what encloses it: marrow belongs to its bone, vessels to their lung. A cell on a border holds voxels of several
   /// leaves: each belongs to the leaf among those around it whose mean is nearest to its own value, smoothed. Costs are
   /// in units of the noise. Entry i is of voxel i of the volume. Runs on all cores.
-  std::vector<Level> joinsOf(const Volume& volume, glm::ivec3 seed) const;
+  ///
+  /// A cell may hold voxels of several leaves. `From::Cell` starts with the leaf of the seed's cell, which a noisy
+  /// voxel does not change, `From::Voxel` with the one that holds the seed, so that the region of every level does.
+  enum class From : std::uint8_t { Cell, Voxel };
+  std::vector<Level> joinsOf(const Volume& volume, glm::ivec3 seed, From from = From::Cell) const;
 
   double noiseUnit() const { return noise_.unit; }   ///< real values
   double bodyVolume() const { return bodyVolume_; }  ///< mm³ of what is no air
@@ -47,7 +51,8 @@ class TissueTree {
 
  private:
   void setNeighbours(const Tissues& tissues);
-  std::uint32_t leafAt(glm::ivec3 voxel) const;
+  std::uint32_t leafAt(const Volume& volume, glm::ivec3 voxel, From from) const;
+  ToneScale voxelScale(const Volume& volume) const;
   std::span<const std::uint32_t> neighboursOf(std::uint32_t leaf) const;
   /// By leaf: the level that encloses it, which is its own where nothing does: of the ways from it to a face of the
   /// volume, the one that joins last; on a way its first leaf to join counts.

@@ -1042,6 +1042,10 @@
         <translation>Ihre Grenze ist mäßig: dort ändern sich die Werte um %1.</translation>
     </message>
     <message>
+        <source>It is doubtful: nearly any other tolerance makes it far larger or smaller. Check its outline on the slices.</source>
+        <translation>Sie ist zweifelhaft: fast jede andere Toleranz macht sie viel größer oder kleiner. Prüfen Sie ihren Umriss auf den Schichten.</translation>
+    </message>
+    <message>
         <source>It is doubtful: values change by only %1 along its border. Check its outline on the slices.</source>
         <translation>Sie ist zweifelhaft: an ihrer Grenze ändern sich die Werte nur um %1. Prüfen Sie ihren Umriss auf den Schichten.</translation>
     </message>

@@ -1042,6 +1042,10 @@
         <translation>Su límite es aceptable: allí los valores cambian en %1.</translation>
     </message>
     <message>
+        <source>It is doubtful: nearly any other tolerance makes it far larger or smaller. Check its outline on the slices.</source>
+        <translation>Es dudosa: casi cualquier otra tolerancia la hace mucho mayor o menor. Compruebe su contorno en los cortes.</translation>
+    </message>
+    <message>
         <source>It is doubtful: values change by only %1 along its border. Check its outline on the slices.</source>
         <translation>Es dudosa: en su límite los valores cambian solo en %1. Compruebe su contorno en los cortes.</translation>
     </message>

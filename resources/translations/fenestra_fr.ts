@@ -1042,6 +1042,10 @@
         <translation>Sa limite est moyenne&#xa0;: les valeurs y changent de %1.</translation>
     </message>
     <message>
+        <source>It is doubtful: nearly any other tolerance makes it far larger or smaller. Check its outline on the slices.</source>
+        <translation>Elle est douteuse&#xa0;: presque toute autre tolérance la rend bien plus grande ou plus petite. Vérifiez son contour sur les coupes.</translation>
+    </message>
+    <message>
         <source>It is doubtful: values change by only %1 along its border. Check its outline on the slices.</source>
         <translation>Elle est douteuse&#xa0;: à sa limite, les valeurs ne changent que de %1. Vérifiez son contour sur les coupes.</translation>
     </message>

@@ -1042,6 +1042,10 @@
         <translation>边界尚可：该处数值变化 %1。</translation>
     </message>
     <message>
+        <source>It is doubtful: nearly any other tolerance makes it far larger or smaller. Check its outline on the slices.</source>
+        <translation>结果存疑：几乎任何其他容差都会使它大得多或小得多。请在层面上检查其轮廓。</translation>
+    </message>
+    <message>
         <source>It is doubtful: values change by only %1 along its border. Check its outline on the slices.</source>
         <translation>结果存疑：边界处数值仅变化 %1。请在层面上检查其轮廓。</translation>
     </message>

@@ -1,5 +1,6 @@
 #include "rendering/segmentation/RegionCut.h"
 
+#include <algorithm>
 #include <limits>
 
 #include <gtest/gtest.h>
@@ -75,6 +76,42 @@ TEST(RegionCut, ASeedAtTheSurfaceTakesASpot) {
   const Shares near = sharesOf(taken, joins, twoBalls, [&](glm::ivec3 at) { return inBall(at, outside, 5.0); });
   EXPECT_EQ(taken[twoBalls.offset(outside)], 1);
   EXPECT_EQ(near.others, 0.0);
+}
+
+TEST(RegionCut, ASeedAtTheSurfaceKeepsThePartThatItLiesIn) {
+  // Both lie near the surface of one ball; the one outside holds the larger ball.
+  const auto volume = evenVolume(twoBalls);
+  const std::vector<Level> joins = regionOf(twoBalls, [](glm::ivec3 at) { return inBall(at, left, 13.0); });
+  const glm::ivec3 inside(16, 16, 4), outside(16, 9, 8);
+  const auto taken = cutOff(*volume, joins, step, std::span(&inside, 1), std::span(&outside, 1),
+                            {.perVolume = 0.001, .edge = infinity});
+  const auto count = static_cast<double>(std::ranges::count(joins, Level{0}));
+  EXPECT_EQ(taken[twoBalls.offset(outside)], 1);
+  EXPECT_LT(static_cast<double>(std::ranges::count(taken, 1)), 0.1 * count);
+}
+
+TEST(RegionCut, ACutThatWouldLeaveACrumbTakesTheSeedsBallAlone) {
+  const auto volume = evenVolume(twoBalls);
+  const std::vector<Level> joins = regionOf(twoBalls, inEither);
+  const glm::ivec3 inside(left), outside(36, 16, 16);
+  const CutCost cost{.perVolume = 0.03, .edge = infinity, .crumb = 1.2 * 9200.0};  // more than the left ball's mm³
+  const auto taken = cutOff(*volume, joins, step, std::span(&inside, 1), std::span(&outside, 1), cost);
+  EXPECT_EQ(taken[twoBalls.offset(outside)], 1);
+  EXPECT_EQ(taken[twoBalls.offset({50, 16, 16})], 0);
+  EXPECT_EQ(taken[twoBalls.offset(inside)], 0);
+}
+
+TEST(RegionCut, APartThatStillTouchesAtCornersStays) {
+  // A rod of one voxel's thickness that goes on diagonally: nothing parts it but the seed's own voxel.
+  const Grid grid = gridOf({40, 40, 5});
+  const auto volume = evenVolume(grid);
+  const std::vector<Level> joins =
+      regionOf(grid, [](glm::ivec3 at) { return at.z == 2 && at.y >= 4 && at.y <= 35 && (at.x == at.y || at.x == 4); });
+  const glm::ivec3 inside(4, 30, 2), outside(4, 34, 2);
+  const auto taken = cutOff(*volume, joins, step, std::span(&inside, 1), std::span(&outside, 1),
+                            {.perVolume = 0.001, .edge = infinity});
+  EXPECT_EQ(taken[grid.offset(outside)], 1);
+  EXPECT_EQ(taken[grid.offset({30, 30, 2})], 0);
 }
 
 TEST(RegionCut, TakesLittleWhereTheShapeDoesNotDecide) {

@@ -128,6 +128,39 @@ TEST(RegionGrowing, AnInsideSeedAddsATissue) {
   EXPECT_GT(dice(maskAt(both, both.curve.automatic), ball), 0.95);
 }
 
+TEST(RegionGrowing, AnInsideSeedInTheRimAddsNoNeighbour) {
+  // A ball of 150 with a rim of 110, which is nearer to a neighbour of 90 than to the ball.
+  const glm::dvec3 centre(20.0);
+  const auto ball = [&](glm::ivec3 at) { return inBall(at, centre, 10.0); };
+  const auto rim = [&](glm::ivec3 at) { return !ball(at) && inBall(at, centre, 11.0); };
+  std::mt19937 random(4);
+  std::normal_distribution<double> noise(0.0, 2.0);
+  const auto volume = volumeOf<float>(gridOf(glm::ivec3(41)), [&](glm::ivec3 at) {
+    return noise(random) + (ball(at) ? 150.0 : rim(at) ? 110.0 : at.z > 20 ? 90.0 : 0.0);
+  });
+  volume->modality = Modality::MR;  // else its three values pass for a CT's, and the ball for a bone with its rim
+  RegionFocus settings = seededAt(*volume, glm::ivec3(20));
+  settings.rule = RegionRule::Tissues;
+  const Growth one = grow(*volume, settings);
+  const Mask before = maskAt(one, one.curve.automatic);
+  const glm::ivec3 seed(20, 20, 31);
+  ASSERT_TRUE(rim(seed));
+  ASSERT_FALSE(before.voxels[volume->grid.offset(seed)]);
+  settings.inside.push_back(worldOf(volume->grid, seed));
+  const Growth both = grow(*volume, settings);
+  const Mask after = maskAt(both, both.curve.automatic);
+  EXPECT_TRUE(after.voxels[volume->grid.offset(seed)]);
+  double added = 0.0, wrong = 0.0;
+  tests::forEachVoxel(volume->grid.dims, [&](glm::ivec3 at) {
+    const std::size_t i = volume->grid.offset(at);
+    EXPECT_GE(after.voxels[i], before.voxels[i]);
+    added += after.voxels[i] && !before.voxels[i] ? 1.0 : 0.0;
+    wrong += after.voxels[i] && !before.voxels[i] && !ball(at) && !rim(at) ? 1.0 : 0.0;
+  });
+  EXPECT_GT(added, 10.0);
+  EXPECT_EQ(wrong, 0.0);
+}
+
 TEST(RegionGrowing, GrowsAThinTube) {
   // Two voxels thick, thinner than the ball that closes leaks.
   const auto tube = [](glm::ivec3 at) { return (at.y == 10 || at.y == 11) && (at.z == 10 || at.z == 11); };

@@ -33,6 +33,10 @@ QString borderSentence(const RegionFacts& facts, const QString& unit) {
     case Border::Fair:
       return RegionWords::tr("Its border is fair: values change by %1 there.").arg(step);
     case Border::Doubtful:
+      if (facts.isPassing)
+        return RegionWords::tr(
+            "It is doubtful: nearly any other tolerance makes it far larger or smaller. Check its outline on the "
+            "slices.");
       return RegionWords::tr(
                  "It is doubtful: values change by only %1 along its border. Check its outline on the slices.")
           .arg(step);
