@@ -78,8 +78,8 @@ std::size_t held(const Removal& removal) {
   return sum(shape, points, size, sides, direction, up, depth, extent, softness, bends);
 }
 std::size_t held(const Measure& measure) {
-  const auto& [kind, points, right, down] = measure;
-  return sum(kind, points, right, down);
+  const auto& [kind, points, right, down, text] = measure;
+  return sum(kind, points, right, down, text);
 }
 std::size_t held(const Look& look) {
   const auto& [focus, labels, focusAppearance, context, method, cutaway, contextLayer, shading, background, backdrop,
