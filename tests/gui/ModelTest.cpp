@@ -69,6 +69,12 @@ io::Study study() {
   return made;
 }
 
+/// Places a pair whose first camera looks from a side of cube().
+void placeAt(ViewLink& link, StandardView side) {
+  const Camera first = Camera::standard(side, cube());
+  link.place({first, first.beside()});
+}
+
 TEST(ViewLink, SecondCameraStandsAQuarterTurnToThePatientsLeft) {
   ViewLink link;
   const Grid grid = cube();
@@ -89,7 +95,7 @@ TEST(ViewLink, SecondCameraIsUprightAndOrthogonalForAnObliqueFirst) {
 
 TEST(ViewLink, RotatingOneTurnsTheOtherByTheSameWorldRotation) {
   ViewLink link;
-  link.place(Camera::standard(StandardView::Anterior, cube()));
+  placeAt(link, StandardView::Anterior);
   for (const int view : {0, 1}) {
     const std::array before{link.camera(0), link.camera(1)};
     link.orbit(view, 0.4, -0.7);
@@ -102,7 +108,7 @@ TEST(ViewLink, RotatingOneTurnsTheOtherByTheSameWorldRotation) {
 
 TEST(ViewLink, UnlinkedViewStaysAndIsNotAnnounced) {
   ViewLink link;
-  link.place(Camera::standard(StandardView::Anterior, cube()));
+  placeAt(link, StandardView::Anterior);
   link.setLinked(false);
   const Camera second = link.camera(1);
   QSignalSpy changed(&link, &ViewLink::changed);
@@ -114,7 +120,7 @@ TEST(ViewLink, UnlinkedViewStaysAndIsNotAnnounced) {
 
 TEST(ViewLink, StandardViewsFaceTheirSideAndKeepDistanceAndRelation) {
   ViewLink link;
-  link.place(Camera::standard(StandardView::Anterior, cube()));
+  placeAt(link, StandardView::Anterior);
   link.orbit(0, 0.3, 0.2);
   for (const StandardView side : {StandardView::Posterior, StandardView::Superior, StandardView::Left}) {
     const std::array before{link.camera(0), link.camera(1)};
@@ -130,7 +136,7 @@ TEST(ViewLink, StandardViewsFaceTheirSideAndKeepDistanceAndRelation) {
 
 TEST(ViewLink, ZoomIsSharedWhileLinked) {
   ViewLink link;
-  link.place(Camera::standard(StandardView::Anterior, cube()));
+  placeAt(link, StandardView::Anterior);
   const auto distance = [&](int view) { return glm::distance(link.camera(view).eye, link.camera(view).target); };
   const std::array before{distance(0), distance(1)};
   const glm::dvec3 eye = link.camera(1).axes().forward;
@@ -146,7 +152,7 @@ TEST(ViewLink, ZoomIsSharedWhileLinked) {
 
 TEST(ViewLink, ProjectionsShowTheTargetAtTheSameSize) {
   ViewLink link;
-  link.place(Camera::standard(StandardView::Anterior, cube()));
+  placeAt(link, StandardView::Anterior);
   link.zoom(0, 2.5);
   const Camera before = link.camera(0);
   link.setProjection(Projection::Orthographic);
@@ -162,7 +168,7 @@ TEST(ViewLink, ProjectionsShowTheTargetAtTheSameSize) {
 
 TEST(ViewLink, ResetGoesBackToWhatWasPlaced) {
   ViewLink link;
-  link.place(Camera::standard(StandardView::Right, cube()));
+  placeAt(link, StandardView::Right);
   const std::array placed{link.camera(0), link.camera(1)};
   link.orbit(0, 1.0, 0.5);
   link.pan(1, 3.0, 4.0);
