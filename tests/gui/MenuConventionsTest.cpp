@@ -273,7 +273,9 @@ Conventions::Cases Conventions::menuCases() {
   const std::pair<const char*, MeasureKind> tools[] = {{"D", MeasureKind::Distance},
                                                        {"A", MeasureKind::Angle},
                                                        {"Q", MeasureKind::Ellipse},
-                                                       {"B", MeasureKind::Rectangle}};
+                                                       {"B", MeasureKind::Rectangle},
+                                                       {"Shift+D", MeasureKind::Arrow},
+                                                       {"Shift+T", MeasureKind::Text}};
   for (const auto& tool : tools)
     cases[tool.first] = [this, tool] {
       waitUntilDrawn();  // Esc would stop what is under way first

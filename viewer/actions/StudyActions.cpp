@@ -98,7 +98,7 @@ void Actions::makeMeasureMenu() {
                             Entry{QT_TR_NOOP("&Angle"), "A", "angle", MeasureKind::Angle},
                             Entry{QT_TR_NOOP("&Ellipse"), "Q", "ellipse", MeasureKind::Ellipse},
                             Entry{QT_TR_NOOP("&Rectangle"), "B", "rectangle", MeasureKind::Rectangle},
-                            Entry{QT_TR_NOOP("Arro&w"), "Shift+A", "arrow", MeasureKind::Arrow},
+                            Entry{QT_TR_NOOP("Arro&w"), "Shift+D", "arrow", MeasureKind::Arrow},
                             Entry{QT_TR_NOOP("&Text"), "Shift+T", "mark", MeasureKind::Text}}) {
     QAction* made =
         volumeAction(tr(tool.text), QKeySequence(QLatin1String(tool.key)), [&mode, &options, kind = tool.kind] {
