@@ -32,11 +32,12 @@ QPointF across(QPointF direction) { return {-direction.y(), direction.x()}; }
 QList<QRectF> candidates(const ShownMeasure& measure, QSizeF size) {
   const QPolygonF& at = measure.handles;
   if (measure.kind == MeasureKind::Text) return {{at[0] + QPointF(gap, -0.5 * size.height()), size}};
-  if (measure.kind == MeasureKind::Arrow) return {beyond(at[1], at[1] - at[0], size)};
-  if (measure.kind == MeasureKind::Distance) {
+  if (measure.kind == MeasureKind::Distance || measure.kind == MeasureKind::Arrow) {
     const QPointF along = at[1] - at[0], middle = 0.5 * (at[0] + at[1]);
-    return {beyond(at[1], along, size), beyond(at[0], -along, size), beyond(middle, across(along), size),
-            beyond(middle, -across(along), size)};
+    QList<QRectF> boxes{beyond(at[1], along, size)};
+    // What an arrow points at stays free.
+    if (measure.kind == MeasureKind::Distance) boxes << beyond(at[0], -along, size);
+    return boxes << beyond(middle, across(along), size) << beyond(middle, -across(along), size);
   }
   if (measure.kind == MeasureKind::Angle) {
     const QPointF a = unit(at[0] - at[1]), b = unit(at[2] - at[1]);
