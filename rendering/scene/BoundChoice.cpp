@@ -32,10 +32,10 @@ glm::dvec2 throughUnitCube(glm::dvec3 inside, glm::dvec3 direction) {
 /// The trilinear field of one cell.
 class CellValues {
  public:
-  CellValues(const Volume& volume, glm::ivec3 cell) {
+  CellValues(const ShownVoxels& voxels, glm::ivec3 cell) {
     for (int corner = 0; corner < 8; ++corner)
       corners_[static_cast<std::size_t>(corner)] =
-          volume.value(cell + glm::ivec3(corner & 1, (corner >> 1) & 1, corner >> 2));
+          voxels.value(cell + glm::ivec3(corner & 1, (corner >> 1) & 1, corner >> 2));
   }
   bool isFinite() const {
     return std::all_of(corners_.begin(), corners_.end(), [](double value) { return std::isfinite(value); });
@@ -63,8 +63,9 @@ glm::dvec4 evenly(const TransferFunction& function, double from, double to, doub
 
 }  // namespace
 
-std::vector<BoundChoice::Chord> BoundChoice::chordsOf(const Volume& volume) {
-  const Grid& grid = volume.grid;
+std::vector<BoundChoice::Chord> BoundChoice::chordsOf(const ShownVolume& shown) {
+  const ShownVoxels voxels(shown);
+  const Grid& grid = shown.volume->grid;
   std::vector<Chord> chords;
   if (std::min({grid.dims.x, grid.dims.y, grid.dims.z}) < 2) return chords;
   chords.reserve(chordCount);
@@ -82,7 +83,7 @@ std::vector<BoundChoice::Chord> BoundChoice::chordsOf(const Volume& volume) {
     const double height = 2.0 * share() - 1.0, turn = 2.0 * std::numbers::pi * share();
     const double aside = std::sqrt(1.0 - height * height);
     const glm::dvec3 direction = index * glm::dvec3(aside * std::cos(turn), aside * std::sin(turn), height);
-    const CellValues field(volume, cell);
+    const CellValues field(voxels, cell);
     if (!field.isFinite()) continue;
     const glm::dvec2 span = throughUnitCube(inside, direction);
     Chord chord{{}, glm::length(world * direction) * (span.y - span.x)};
@@ -124,19 +125,24 @@ double BoundChoice::errorOf(const std::vector<Chord>& chords, double most, const
   return std::sqrt(greatest);
 }
 
-double BoundChoice::errorOf(const Volume& volume, const TransferFunction& context) {
-  return errorOf(chordsOf(volume), mostCells(volume.grid), context);
+double BoundChoice::errorOf(const ShownVolume& shown, const TransferFunction& context) {
+  return errorOf(chordsOf(shown), mostCells(shown.volume->grid), context);
 }
 
-bool BoundChoice::exceeds(const std::shared_ptr<const Volume>& volume, const TransferFunction& context) {
+bool BoundChoice::exceeds(const ShownVolume& shown, const TransferFunction& context) {
+  const Grid& grid = shown.volume->grid;
   // An expired pointer equals none, as a new volume may have the address of an old one.
-  const bool isSame = volume_.lock() == volume;
+  ShownVolume before = hides_;
+  before.volume = volume_.lock();
+  const bool isSame = before == shown;
   if (isSame && context == context_) return exceeds_;
   if (!isSame) {
-    chords_ = chordsOf(*volume);
-    volume_ = volume;
+    chords_ = chordsOf(shown);
+    volume_ = shown.volume;
+    hides_ = shown;
+    hides_.volume.reset();
   }
-  exceeds_ = errorOf(chords_, mostCells(volume->grid), context) > mostEstimate;
+  exceeds_ = errorOf(chords_, mostCells(grid), context) > mostEstimate;
   context_ = context;
   return exceeds_;
 }
@@ -146,7 +152,7 @@ std::optional<double> BoundChoice::boundFor(const Scene& scene, const View& view
   if (view.quality != Quality::Normal || view.maxError || look.shading.enabled ||
       reconstructionOf(scene) != Reconstruction::Linear)
     return {};
-  return exceeds(scene.volume, look.context.shifted()) ? std::optional(bound) : std::nullopt;
+  return exceeds(shownVolume(scene), look.context.shifted()) ? std::optional(bound) : std::nullopt;
 }
 
 }  // namespace fenestra

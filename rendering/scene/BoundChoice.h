@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "rendering/scene/Scene.h"
+#include "rendering/scene/ShownVolume.h"
 #include "rendering/scene/View.h"
 
 namespace fenestra {
@@ -31,7 +32,7 @@ class BoundChoice {
   /// errors add up under the transmittance T before them: with a cell's error d and opacity a, that is E[d²] · Σ T²,
   /// where Σ T² = 1 / E[a (2 - a)] until the ray is absorbed or has left the volume, and for the part that all cells
   /// have in common (E[d] · Σ T)², where Σ T = 1 / E[a].
-  static double errorOf(const Volume& volume, const TransferFunction& context);
+  static double errorOf(const ShownVolume& shown, const TransferFunction& context);
 
  private:
   /// What the volume holds along a chord from face to face of a cell, at its ends and between its quarters.
@@ -40,12 +41,13 @@ class BoundChoice {
     double length;  ///< mm
   };
   /// Spread over all of the volume.
-  static std::vector<Chord> chordsOf(const Volume& volume);
+  static std::vector<Chord> chordsOf(const ShownVolume& shown);
   /// `most`: the most cells that a ray meets.
   static double errorOf(const std::vector<Chord>& chords, double most, const TransferFunction& context);
-  bool exceeds(const std::shared_ptr<const Volume>& volume, const TransferFunction& context);
+  bool exceeds(const ShownVolume& shown, const TransferFunction& context);
 
   std::weak_ptr<const Volume> volume_;
+  ShownVolume hides_;  ///< without the volume
   std::vector<Chord> chords_;
   std::optional<TransferFunction> context_;
   bool exceeds_ = false;

@@ -270,7 +270,7 @@ TEST_F(MeasureWindow, ComesBackWithASession) {
 
 TEST_F(MeasureWindow, AnArrowAsksForItsTextAndIsOneStep) {
   const double z = cursor().position().z;
-  QTest::keyClick(axial(), Qt::Key_A, Qt::ShiftModifier);
+  QTest::keyClick(axial(), Qt::Key_D, Qt::ShiftModifier);
   drag(axial(), at({-20, 5, z}), at({10, 15, z}));
   type(QStringLiteral("  Läsion,\t\"neu\" "));
   ASSERT_EQ(document().measures().size(), 1u);

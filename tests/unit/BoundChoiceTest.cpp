@@ -28,24 +28,24 @@ Scene plain(std::shared_ptr<const Volume> volume, const TransferFunction& functi
 
 TEST(BoundChoice, ConstantAndEvenValuesHaveNoError) {
   const auto constant = volumeOf<std::uint8_t>(gridOf({8, 8, 8}), [](glm::ivec3) { return 50; });
-  EXPECT_LT(BoundChoice::errorOf(*constant, ridge), 1e-12) << "rounding of the values between voxels";
+  EXPECT_LT(BoundChoice::errorOf({.volume = constant}, ridge), 1e-12) << "rounding of the values between voxels";
   const auto even = volumeOf<std::int16_t>(gridOf({8, 8, 8}), [](glm::ivec3 i) { return 5 * i.x + 4 * i.y + 3 * i.z; });
-  EXPECT_LT(BoundChoice::errorOf(*even, ridge), 1e-12) << "rounding";
+  EXPECT_LT(BoundChoice::errorOf({.volume = even}, ridge), 1e-12) << "rounding";
 }
 
 TEST(BoundChoice, AFunctionMustChangeBetweenTheValuesOfACell) {
   const auto volume = chequered(2.0);
-  EXPECT_GT(BoundChoice::errorOf(*volume, ridge), 4.0 / 255.0);
+  EXPECT_GT(BoundChoice::errorOf({.volume = volume}, ridge), 4.0 / 255.0);
   const TransferFunction flat{{{0.0, {{0.5, 0.5, 0.5}, 0.2}}, {100.0, {{0.5, 0.5, 0.5}, 0.2}}}};
-  EXPECT_LT(BoundChoice::errorOf(*volume, flat), 1e-12) << "rounding";
-  EXPECT_EQ(BoundChoice::errorOf(*volume, {}), 0.0);
+  EXPECT_LT(BoundChoice::errorOf({.volume = volume}, flat), 1e-12) << "rounding";
+  EXPECT_EQ(BoundChoice::errorOf({.volume = volume}, {}), 0.0);
 }
 
 TEST(BoundChoice, ThickCellsCountForMore) {
   // 16 cells of 0.02 mm are clear, so that the error grows with them; of 2 mm a few are opaque.
-  const double thin = BoundChoice::errorOf(*chequered(0.02), ridge);
-  EXPECT_GT(BoundChoice::errorOf(*chequered(0.04), ridge), 1.8 * thin);
-  EXPECT_GT(BoundChoice::errorOf(*chequered(2.0), ridge), 5.0 * thin);
+  const double thin = BoundChoice::errorOf({.volume = chequered(0.02)}, ridge);
+  EXPECT_GT(BoundChoice::errorOf({.volume = chequered(0.04)}, ridge), 1.8 * thin);
+  EXPECT_GT(BoundChoice::errorOf({.volume = chequered(2.0)}, ridge), 5.0 * thin);
 }
 
 TEST(BoundChoice, FollowsTheVolumeAndTheFunction) {
