@@ -63,7 +63,9 @@ void addView(Command command, io::StudyRequest& request) {
   command.add(
       "--camera", "A|P|L|R|S|I|AZIMUTH,ELEVATION|FILE.json|best|dual",
       "side to look from, angles in degrees (0,0 faces the patient, 90,0 is the patient's left), a camera file, or the "
-      "best view of the focus or its complement, as place finds them",
+      "best view of the focus or its complement, as place finds them; default A, of a thin stack the side that shows "
+      "its "
+      "slices",
       [&request](const std::string& text) {
         request.camera = parseCamera(text);
         return request.camera.has_value();

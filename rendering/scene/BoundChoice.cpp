@@ -132,15 +132,15 @@ double BoundChoice::errorOf(const ShownVolume& shown, const TransferFunction& co
 bool BoundChoice::exceeds(const ShownVolume& shown, const TransferFunction& context) {
   const Grid& grid = shown.volume->grid;
   // An expired pointer equals none, as a new volume may have the address of an old one.
-  ShownVolume before = hides_;
+  ShownVolume before = shown_;
   before.volume = volume_.lock();
   const bool isSame = before == shown;
   if (isSame && context == context_) return exceeds_;
   if (!isSame) {
     chords_ = chordsOf(shown);
     volume_ = shown.volume;
-    hides_ = shown;
-    hides_.volume.reset();
+    shown_ = shown;
+    shown_.volume.reset();
   }
   exceeds_ = errorOf(chords_, mostCells(grid), context) > mostEstimate;
   context_ = context;

@@ -47,7 +47,7 @@ class BoundChoice {
   bool exceeds(const ShownVolume& shown, const TransferFunction& context);
 
   std::weak_ptr<const Volume> volume_;
-  ShownVolume hides_;  ///< without the volume
+  ShownVolume shown_;  ///< what the chords lie in, without its volume, which the choice must not keep alive
   std::vector<Chord> chords_;
   std::optional<TransferFunction> context_;
   bool exceeds_ = false;

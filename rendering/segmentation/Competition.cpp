@@ -39,7 +39,8 @@ StructurePrior ofBone(StructurePrior prior) {
   return prior;
 }
 
-/// Whether a region lies in a bone, and most of it is less dense than bone, unless its density does not count.
+/// Whether a region lies in a bone; where `countsDensity`, also whether most of its voxels are less dense than bone, as
+/// those of marrow are.
 bool isWithin(const Volume& volume, const std::vector<Level>& joins, int step, const std::vector<Level>& bone,
               int boneStep, bool countsDensity) {
   const VoxelBox whole = wholeOf(volume.grid.dims);
@@ -107,8 +108,8 @@ void Competition::decide(FirstRegion& region) const {
           [&](const std::vector<Level>&, const ClearestStep& other) {
             return !clearest || other.clarity > clearest->clarity + tissuesHandicap;
           });
-  // In other units than Hounsfield's every grain of cortex is as clear as its contrast; in these, what is beyond the
-  // display window counts less.
+  // Costs are found in Hounsfield units, where differences above the display window count less. In units of the file,
+  // each dense grain of a bone's cortex would have a border as clear as that of the bone, and win as a region.
   if (std::optional<std::vector<Level>> bone = bones_ ? bones_->joinsOf(region.seed) : std::nullopt)
     region.isBone =
         compete(std::move(*bone), boneCosts(bones_->inUnits(volume_), boneNoise(region.noise)), ofBone(prior),

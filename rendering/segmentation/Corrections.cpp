@@ -61,16 +61,6 @@ double addedBy(const Competition::Region& region, const std::vector<Level>& join
   return added;
 }
 
-/// Steps of a ball from its centre, the nearest first.
-std::vector<glm::ivec3> nearestFirst(const Grid& grid, double radius) {
-  std::vector<glm::ivec3> offsets = ballOffsets(grid, radius);
-  const glm::dmat4 world = grid.worldFromIndex();
-  std::ranges::stable_sort(offsets, {}, [&](glm::ivec3 offset) {
-    return glm::length(glm::dvec3(world * glm::dvec4(glm::dvec3(offset), 0.0)));
-  });
-  return offsets;
-}
-
 /// A seed in the rim of a region says that values as far from the region's as its own still belong: its neighbours join
 /// that lie in the rim, too.
 void addRim(glm::ivec3 seed, double gap, const Volume& volume, int step, std::vector<Level>& joins) {
@@ -97,12 +87,12 @@ void addRim(glm::ivec3 seed, double gap, const Volume& volume, int step, std::ve
 /// What a seed beside a region means ends as far behind the seed as the region lies before it, by and large.
 void keepNear(double gap, const Grid& grid, const std::vector<Level>& joins, int step, Competition::Region& own) {
   const VoxelBox whole = wholeOf(grid.dims);
-  const std::vector<glm::ivec3> reach = nearestFirst(grid, 2.0 * gap);
+  const std::vector<BallOffset> reach = nearestFirst(grid, 2.0 * gap);
   for (std::size_t i = 0; i < own.joins.size(); ++i) {
     if (own.joins[i] == never || joins[i] < step) continue;
     const glm::ivec3 at = whole.at(i);
-    const bool isNear = own.joins[i] < own.step && std::ranges::any_of(reach, [&](glm::ivec3 away) {
-                          return whole.contains(at + away) && joins[whole.offset(at + away)] < step;
+    const bool isNear = own.joins[i] < own.step && std::ranges::any_of(reach, [&](const BallOffset& away) {
+                          return whole.contains(at + away.step) && joins[whole.offset(at + away.step)] < step;
                         });
     if (!isNear) own.joins[i] = never;
   }

@@ -48,6 +48,15 @@ std::vector<glm::ivec3> ballOffsets(const Grid& grid, double radius) {
   return offsets;
 }
 
+std::vector<BallOffset> nearestFirst(const Grid& grid, double radius) {
+  const glm::dmat4 world = grid.worldFromIndex();
+  std::vector<BallOffset> offsets;
+  for (const glm::ivec3 step : ballOffsets(grid, radius))
+    offsets.push_back({step, glm::length(glm::dvec3(world * glm::dvec4(glm::dvec3(step), 0.0)))});
+  std::ranges::stable_sort(offsets, {}, &BallOffset::length);
+  return offsets;
+}
+
 double voxelSide(const Grid& grid) { return std::cbrt(grid.voxelVolume()); }
 
 std::vector<Level> greatestWithin(std::span<const Level> levels, glm::ivec3 dims,

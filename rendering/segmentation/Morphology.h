@@ -14,6 +14,13 @@ namespace fenestra::segmentation {
 /// anisotropic grids have round balls.
 std::vector<glm::ivec3> ballOffsets(const Grid& grid, double radius);
 
+struct BallOffset {
+  glm::ivec3 step{0};
+  double length = 0.0;  ///< mm
+};
+/// Those of ballOffsets(), the nearest first.
+std::vector<BallOffset> nearestFirst(const Grid& grid, double radius);
+
 /// The side in mm of a cube with the volume of a voxel: the unit of radii that leaks of noise are measured in.
 double voxelSide(const Grid& grid);
 

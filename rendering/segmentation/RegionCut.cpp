@@ -166,11 +166,9 @@ class Claims {
         worldFromIndex_(grid.worldFromIndex()),
         side_(voxelSide(grid)),
         largest_(std::min(largestClaim, largestClaimSides * side_)),
+        offsets_(nearestFirst(grid, largest_)),
         sides_(cells.count(), Side::None),
-        places_(cells.count(), std::numeric_limits<double>::infinity()) {
-    for (const glm::ivec3 offset : ballOffsets(grid, largest_)) offsets_.push_back({offset, lengthOf(offset)});
-    std::ranges::stable_sort(offsets_, {}, &Offset::length);
-  }
+        places_(cells.count(), std::numeric_limits<double>::infinity()) {}
 
   /// Seeds that do not lie in the region claim nothing; false where that is so of all those outside.
   bool add(std::span<const glm::ivec3> inside, std::span<const glm::ivec3> outside) {
@@ -199,10 +197,6 @@ class Claims {
   struct Ball {
     glm::ivec3 centre{0};
     double radius = 0.0;  ///< mm
-  };
-  struct Offset {
-    glm::ivec3 step{0};
-    double length = 0.0;  ///< mm
   };
 
   double lengthOf(glm::ivec3 offset) const {
@@ -244,11 +238,11 @@ class Claims {
 
   const CutCells& cells_;
   glm::dmat4 worldFromIndex_;
-  double side_;                  ///< mm, of a voxel
-  double largest_;               ///< mm: radius
-  std::vector<Offset> offsets_;  ///< of the largest ball, the nearest first
-  std::vector<Side> sides_;      ///< by cell
-  std::vector<double> places_;   ///< by cell: its distance from the seed over the ball's radius
+  double side_;                      ///< mm, of a voxel
+  double largest_;                   ///< mm: radius
+  std::vector<BallOffset> offsets_;  ///< of the largest ball, the nearest first
+  std::vector<Side> sides_;          ///< by cell
+  std::vector<double> places_;       ///< by cell: its distance from the seed over the ball's radius
 };
 
 /// Takes away what no seed inside is connected with any more, too.
