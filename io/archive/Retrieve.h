@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -19,10 +20,24 @@ enum class Way : std::uint8_t {
   Move  ///< over one that the server opens to Server::interface and ownPort
 };
 
+/// An object that is here, while others of its series may still be missing.
+struct ArrivedObject {
+  std::string series;          ///< Series Instance UID
+  std::filesystem::path file;  ///< once the series is whole, at the same name in the folder without ".part"
+  int number = 0;              ///< Instance Number (PS3.3 C.7.6.1); 0 where the server tells none
+  std::size_t total = 0;       ///< objects of the series
+};
+/// Called for one object after the other, on the threads that receive them; returns at once.
+using Arrival = std::function<void(const ArrivedObject&)>;
+
 struct Retrieval {
   std::string study;   ///< Study Instance UID
   std::string series;  ///< Series Instance UID; empty: all of the study
   Way way = Way::Get;
+  /// For whom the objects are shown while others come: the middle of a series is asked for first, then what halves the
+  /// gaps, as far as the protocol lets us choose (DICOMweb for every object, DICOM's own protocol for the first one).
+  /// Objects that an earlier retrieval left are told of, too, where some are still missing.
+  Arrival arrived = {};
 };
 
 struct RetrievedSeries {
