@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstdlib>
+#include <optional>
 #include <system_error>
 
 #include "io/base/Contents.h"
@@ -53,6 +54,18 @@ std::vector<KeptSeries> seriesIn(const fs::path& root) {
   return all;
 }
 
+/// False: it is being written, and stays.
+bool removeSeries(const fs::path& folder) {
+  std::error_code failure;
+  {
+    const std::optional<SeriesLock> lock = SeriesLock::tryTake(folder);
+    if (!lock) return false;
+    fs::remove_all(folder, failure);
+  }
+  fs::remove(folder.parent_path(), failure);  // of a study that holds no more series
+  return true;
+}
+
 }  // namespace
 
 fs::path defaultCacheFolder() {
@@ -82,6 +95,12 @@ fs::path Cache::partOf(const std::string& study, const std::string& series) cons
   part += ".part";
   makePrivate(part);
   return part;
+}
+
+SeriesLock Cache::lock(const std::string& study, const std::string& series, const std::function<void()>& wait) const {
+  const fs::path folder = folderOf(study, series);
+  makePrivate(folder.parent_path());
+  return {folder, wait};
 }
 
 std::set<std::string> Cache::held(const std::string& study, const std::string& series) const {
@@ -119,16 +138,17 @@ void Cache::trim(std::uint64_t most, const std::set<fs::path>& kept) const {
   for (const KeptSeries& each : all) {
     if (bytes <= most) return;
     if (kept.contains(each.folder)) continue;
-    std::error_code failure;
-    fs::remove_all(each.folder, failure);
-    fs::remove(each.folder.parent_path(), failure);  // of a study that holds no more series
-    bytes -= each.bytes;
+    if (removeSeries(each.folder)) bytes -= each.bytes;
   }
 }
 
 void Cache::clear() const {
+  for (const KeptSeries& each : seriesIn(root_)) removeSeries(each.folder);
   std::error_code failure;
-  for (const auto& study : fs::directory_iterator(root_, failure)) fs::remove_all(study.path(), failure);
+  for (const auto& study : fs::directory_iterator(root_, failure)) {
+    std::error_code ignored;
+    fs::remove(study.path(), ignored);  // where it is empty, as after a crash
+  }
 }
 
 std::size_t layOut(const std::vector<fs::path>& series, const fs::path& folder) {

@@ -5,9 +5,12 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <set>
 #include <string>
 #include <vector>
+
+#include "io/archive/SeriesLock.h"
 
 namespace fenestra::io::archive {
 
@@ -25,6 +28,8 @@ class Cache {
   std::filesystem::path folderOf(const std::string& study, const std::string& series) const;
   /// Where objects of the series wait for those that are missing. Makes it.
   std::filesystem::path partOf(const std::string& study, const std::string& series) const;
+  /// The right to write the series, which one retrieval has at a time; see SeriesLock.
+  SeriesLock lock(const std::string& study, const std::string& series, const std::function<void()>& wait) const;
   /// The names of the series' objects that are here, those that wait included.
   std::set<std::string> held(const std::string& study, const std::string& series) const;
   /// The objects that wait are all: they become the series' own.
@@ -32,9 +37,10 @@ class Cache {
 
   /// Bytes of all objects.
   std::uint64_t bytes() const;
-  /// Removes the series used longest ago, never `kept`, until `most` bytes are left or nothing can go.
+  /// Removes the series used longest ago, never `kept` and none that is being written, until `most` bytes are left or
+  /// nothing can go.
   void trim(std::uint64_t most, const std::set<std::filesystem::path>& kept) const;
-  /// Removes all of it.
+  /// Removes all of it but series that are being written, which other programs may do.
   void clear() const;
 
  private:

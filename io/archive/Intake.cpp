@@ -1,5 +1,6 @@
 #include "io/archive/Intake.h"
 
+#include <unistd.h>
 #include <memory>
 #include <system_error>
 
@@ -13,11 +14,24 @@ namespace fenestra::io::archive {
 
 namespace fs = std::filesystem;
 
-void Intake::expect(Wanted wanted) {
+void Intake::expect(const Wanted& wanted, Wanted missing) {
   const std::lock_guard lock(mutex_);
   part_ = cache_.partOf(wanted.study, wanted.series);
-  wanted_ = std::move(wanted);
+  wanted_ = std::move(missing);
+  total_ = wanted.objects.size();
   received_ = 0;
+  if (!arrived_) return;
+  for (const auto& [object, objectClass] : wanted.objects) {
+    if (wanted_.objects.contains(object)) continue;
+    const fs::path name = cacheName(object) + ".dcm", here = part_ / name;
+    tell(object, fs::exists(here) ? here : cache_.folderOf(wanted.study, wanted.series) / name);
+  }
+}
+
+void Intake::tell(const std::string& object, const fs::path& file) const {
+  if (!arrived_) return;
+  const auto number = wanted_.numbers.find(object);
+  arrived_({wanted_.series, file, number == wanted_.numbers.end() ? 0 : number->second, total_});
 }
 
 std::string Intake::failure() const {
@@ -45,7 +59,8 @@ bool Intake::isFull() {
 fs::path Intake::newFile() {
   const std::lock_guard lock(mutex_);
   if (isFull()) throw Error(cache_.root(), "the disk is full", "make room, and try again; what came is kept");
-  return part_ / ("incoming-" + std::to_string(files_++));
+  // Unique among programs, too: where a file system knows no locks, two may retrieve the same series.
+  return part_ / ("incoming-" + std::to_string(getpid()) + "-" + std::to_string(files_++));
 }
 
 void Intake::take(const fs::path& file) {
@@ -83,8 +98,12 @@ DIC_US Intake::keep(const fs::path& file, const std::string& object) {
     return STATUS_STORE_Error_DataSetDoesNotMatchSOPClass;
   std::error_code failed;
   fs::permissions(file, fs::perms::owner_read | fs::perms::owner_write, failed);
-  fs::rename(file, part_ / (cacheName(uid) + ".dcm"), failed);
-  if (!failed) return STATUS_Success;
+  const fs::path kept = part_ / (cacheName(uid) + ".dcm");
+  fs::rename(file, kept, failed);
+  if (!failed) {
+    tell(uid, kept);
+    return STATUS_Success;
+  }
   failure_ = "objects cannot be written to " + cache_.root().string();
   return STATUS_STORE_Refused_OutOfResources;
 }

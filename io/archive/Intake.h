@@ -8,11 +8,13 @@
 #include <mutex>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include <dcmtk/config/osconfig.h>
 #include <dcmtk/dcmnet/assoc.h>
 #include <dcmtk/dcmnet/dimse.h>
 
+#include "io/archive/Arrival.h"
 #include "io/archive/Cache.h"
 #include "io/archive/Server.h"
 #include "io/archive/Wanted.h"
@@ -22,11 +24,11 @@ namespace fenestra::io::archive {
 
 class Intake {
  public:
-  Intake(const Cache& cache, const Limits& limits, Activity& activity)
-      : cache_(cache), limits_(limits), activity_(activity) {}
+  Intake(const Cache& cache, const Limits& limits, Activity& activity, Arrival arrived = {})
+      : cache_(cache), limits_(limits), activity_(activity), arrived_(std::move(arrived)) {}
 
-  /// From here on these are let in, and none else.
-  void expect(Wanted wanted);
+  /// From here on what is missing of `wanted` is let in, and nothing else.
+  void expect(const Wanted& wanted, Wanted missing);
   /// Reads the object that follows a C-STORE request, keeps it where it is wanted, and answers. Bad: the association is
   /// of no more use.
   OFCondition receive(T_ASC_Association* association, T_ASC_PresentationContextID context,
@@ -48,14 +50,17 @@ class Intake {
   /// `object`: the UID that the file was said to have; empty: none was said.
   DIC_US keep(const std::filesystem::path& file, const std::string& object);
   bool isFull();
+  void tell(const std::string& object, const std::filesystem::path& file) const;
   OFCondition readInto(const std::filesystem::path& file, T_ASC_Association* association,
                        T_ASC_PresentationContextID context, const T_DIMSE_C_StoreRQ& request);
 
   const Cache& cache_;
   const Limits& limits_;
   Activity& activity_;
+  const Arrival arrived_;
   mutable std::mutex mutex_;
-  Wanted wanted_;
+  Wanted wanted_;          ///< what is missing
+  std::size_t total_ = 0;  ///< objects of the series
   std::filesystem::path part_;
   std::string failure_;
   std::atomic<std::size_t> received_ = 0, refused_ = 0, files_ = 0;

@@ -34,7 +34,7 @@ class Transfer {
         retrieval_(retrieval),
         cache_(cache),
         task_(server.limits, progress, retrieval.way == Way::Get ? "retrieving" : "waiting for what the server sends"),
-        intake_(cache, server.limits, task_.activity()) {}
+        intake_(cache, server.limits, task_.activity(), retrieval.arrived) {}
 
   Retrieved run(const std::vector<Wanted>& all) {
     std::set<std::string> classes;
@@ -77,24 +77,42 @@ class Transfer {
   }
   const char* service() const { return retrieval_.way == Way::Get ? "C-GET" : "C-MOVE"; }
 
+  SeriesLock lockOf(const Wanted& wanted) {
+    return cache_.lock(wanted.study, wanted.series, [this] {
+      task_.activity().note();  // a server that is not asked is not silent
+      task_.checkCancelled();
+    });
+  }
+
   void retrieve(const Wanted& wanted, const std::set<std::string>& classes) {
+    const SeriesLock lock = lockOf(wanted);
     const Wanted missing = missingOf(wanted, cache_);
     const std::size_t count = missing.objects.size();
     before_ += wanted.objects.size() - count;
     if (count > 0) {
       open(classes);
-      intake_.expect(missing);
-      const bool isWhole = count == wanted.objects.size();
+      intake_.expect(wanted, missing);
+      if (retrieval_.arrived && count > 1) askForMiddle(missing);
+      const bool isWhole = count == wanted.objects.size() && intake_.received() == 0;
       if (isWhole)
         ask(Level::Series, {{"StudyInstanceUID", wanted.study}, {"SeriesInstanceUID", wanted.series}});
       else
-        askForSome(missing);
+        askForSome(missingOf(wanted, cache_));
       before_ += intake_.received();
       if (intake_.received() < count) refuseIncomplete(count);
     }
     cache_.complete(wanted.study, wanted.series);
     retrieved_.series.push_back(
         {wanted.study, wanted.series, cache_.folderOf(wanted.study, wanted.series), wanted.objects.size(), count});
+  }
+
+  /// Shows where one is before all others come. A server that refuses to send single objects is asked for the series.
+  void askForMiddle(const Wanted& missing) {
+    toleratesRefusal_ = true;
+    ask(Level::Image, {{"StudyInstanceUID", missing.study},
+                       {"SeriesInstanceUID", missing.series},
+                       {"SOPInstanceUID", middleFirst(missing).front()}});
+    toleratesRefusal_ = false;
   }
 
   /// By their UIDs, so many at a time that the attribute's 64 KiB hold them (PS3.5 7.1.2).
@@ -175,7 +193,8 @@ class Transfer {
     if (DICOM_PENDING_STATUS(status)) return false;
     const bool warns = status >> 12 == 0xb;
     const bool allFailed = intake_.received() == 0 && !intake_.failure().empty();
-    if (status != STATUS_Success && !warns && !allFailed) refuseStatus(server_, service(), status);
+    if (status != STATUS_Success && !warns && !allFailed && !toleratesRefusal_)
+      refuseStatus(server_, service(), status);
     return true;
   }
 
@@ -192,6 +211,7 @@ class Transfer {
   Intake intake_;
   std::optional<StorageProvider> provider_;  ///< outlives the association, over which the server tells when it is done
   std::optional<Association> association_;
+  bool toleratesRefusal_ = false;  ///< of the objects asked for now
   std::size_t total_ = 0, before_ = 0;
   Retrieved retrieved_;
 };

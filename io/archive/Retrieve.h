@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "io/archive/Arrival.h"
 #include "io/archive/Cache.h"
 #include "io/archive/Refusals.h"
 #include "io/archive/Server.h"
@@ -23,6 +24,10 @@ struct Retrieval {
   std::string study;   ///< Study Instance UID
   std::string series;  ///< Series Instance UID; empty: all of the study
   Way way = Way::Get;
+  /// For whom the objects are shown while others come: the middle of a series is asked for first, then what halves the
+  /// gaps, as far as the protocol lets us choose (DICOMweb for every object, DICOM's own protocol for the first one).
+  /// Objects that an earlier retrieval left are told of, too, where some are still missing.
+  Arrival arrived = {};
 };
 
 struct RetrievedSeries {

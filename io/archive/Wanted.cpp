@@ -1,5 +1,9 @@
 #include "io/archive/Wanted.h"
 
+#include <algorithm>
+#include <charconv>
+#include <deque>
+
 namespace fenestra::io::archive {
 
 std::vector<Wanted> wantedIn(const std::vector<Attributes>& images, const std::string& study) {
@@ -11,6 +15,10 @@ std::vector<Wanted> wantedIn(const std::vector<Attributes>& images, const std::s
     wanted.study = study;
     wanted.series = series;
     wanted.objects[object] = valueOf(record, "SOPClassUID");
+    const std::string text = valueOf(record, "InstanceNumber");
+    int number = 0;
+    if (std::from_chars(text.data(), text.data() + text.size(), number).ec == std::errc())
+      wanted.numbers[object] = number;
   }
   std::vector<Wanted> all;
   for (auto& [uid, wanted] : bySeries) all.push_back(std::move(wanted));
@@ -19,10 +27,30 @@ std::vector<Wanted> wantedIn(const std::vector<Attributes>& images, const std::s
 
 Wanted missingOf(const Wanted& wanted, const Cache& cache) {
   const std::set<std::string> held = cache.held(wanted.study, wanted.series);
-  Wanted missing{wanted.study, wanted.series, {}};
+  Wanted missing{wanted.study, wanted.series, {}, wanted.numbers};
   for (const auto& object : wanted.objects)
     if (!held.contains(cacheName(object.first))) missing.objects.insert(object);
   return missing;
+}
+
+std::vector<std::string> middleFirst(const Wanted& wanted) {
+  std::vector<std::pair<int, std::string>> byNumber;
+  for (const auto& [object, objectClass] : wanted.objects) {
+    const auto at = wanted.numbers.find(object);
+    byNumber.emplace_back(at == wanted.numbers.end() ? 0 : at->second, object);
+  }
+  std::sort(byNumber.begin(), byNumber.end());
+  std::vector<std::string> order;
+  std::deque<std::pair<std::size_t, std::size_t>> gaps{{0, byNumber.size()}};  // from, and behind the last
+  for (; !gaps.empty(); gaps.pop_front()) {
+    const auto [from, end] = gaps.front();
+    if (from == end) continue;
+    const std::size_t middle = from + (end - from) / 2;
+    order.push_back(byNumber[middle].second);
+    gaps.emplace_back(from, middle);
+    gaps.emplace_back(middle + 1, end);
+  }
+  return order;
 }
 
 void makeRoom(const std::vector<Wanted>& all, const Cache& cache, const Limits& limits) {

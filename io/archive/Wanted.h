@@ -15,12 +15,16 @@ namespace fenestra::io::archive {
 struct Wanted {
   std::string study, series;
   std::map<std::string, std::string> objects;
+  std::map<std::string, int> numbers = {};  ///< Instance Number by UID, where it is known
 };
 
 /// The objects of `study` that answers at the level of images name, by series.
 std::vector<Wanted> wantedIn(const std::vector<Attributes>& images, const std::string& study);
 /// Those that the cache lacks.
 Wanted missingOf(const Wanted& wanted, const Cache& cache);
+/// The objects in an order in which few of them show all of the series: the middle one by its number first, then what
+/// halves the gaps that are left.
+std::vector<std::string> middleFirst(const Wanted& wanted);
 /// Makes room for what is wanted, and never by what is there of it.
 void makeRoom(const std::vector<Wanted>& all, const Cache& cache, const Limits& limits);
 

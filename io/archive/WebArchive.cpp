@@ -133,8 +133,13 @@ class WebSearch {
 /// WADO-RS: objects as parts of one message, each into a file of its own.
 class WebTransfer {
  public:
-  WebTransfer(const WebServer& server, const Cache& cache, Http& http, Task& task)
-      : server_(server), cache_(cache), http_(http), task_(task), intake_(cache, server.limits, task.activity()) {}
+  WebTransfer(const WebServer& server, const Cache& cache, Http& http, Task& task, const Arrival& arrived)
+      : server_(server),
+        cache_(cache),
+        http_(http),
+        task_(task),
+        choosesOrder_(static_cast<bool>(arrived)),
+        intake_(cache, server.limits, task.activity(), arrived) {}
 
   Retrieved run(const std::vector<Wanted>& all) {
     for (const Wanted& each : all) total_ += each.objects.size();
@@ -145,18 +150,25 @@ class WebTransfer {
   }
 
  private:
+  SeriesLock lockOf(const Wanted& wanted) {
+    return cache_.lock(wanted.study, wanted.series, [this] {
+      task_.activity().note();  // a server that is not asked is not silent
+      task_.checkCancelled();
+    });
+  }
+
   void retrieve(const Wanted& wanted) {
+    const SeriesLock lock = lockOf(wanted);
     const Wanted missing = missingOf(wanted, cache_);
     const std::size_t count = missing.objects.size();
     before_ += wanted.objects.size() - count;
     if (count > 0) {
-      intake_.expect(missing);
+      intake_.expect(wanted, missing);
       const std::string series = "/studies/" + http_.escaped(wanted.study) + "/series/" + http_.escaped(wanted.series);
-      if (count == wanted.objects.size())
+      if (count == wanted.objects.size() && !choosesOrder_)
         read(series, count);
       else
-        for (const auto& [object, objectClass] : missing.objects)
-          read(series + "/instances/" + http_.escaped(object), 1);
+        for (const std::string& object : middleFirst(missing)) read(series + "/instances/" + http_.escaped(object), 1);
       before_ += intake_.received();
       if (intake_.received() < count)
         refuse(server_,
@@ -219,6 +231,7 @@ class WebTransfer {
   const Cache& cache_;
   Http& http_;
   Task& task_;
+  const bool choosesOrder_;  ///< for whom objects are shown while others come
   Intake intake_;
   fs::path file_;
   std::ofstream stream_;
@@ -302,7 +315,7 @@ Retrieved retrieve(const WebServer& server, const Retrieval& retrieval, const Ca
   if (!answers.complete)
     refuse(server, "the study has more than " + std::to_string(server.limits.answers) + " objects",
            "retrieve its series one by one");
-  return WebTransfer(server, cache, http, task).run(all);
+  return WebTransfer(server, cache, http, task, retrieval.arrived).run(all);
 }
 
 std::vector<Sent> send(const WebServer& server, const std::vector<fs::path>& files, const Progress& progress) {

@@ -26,7 +26,7 @@ class ArchiveProvider : public ::testing::Test {
  protected:
   void start(archive::Wanted wanted) {
     intake_.emplace(cache_, server_.limits, activity_);
-    intake_->expect(std::move(wanted));
+    intake_->expect(wanted, wanted);
     provider_.emplace(server_, std::set<std::string>{ct}, *intake_);
   }
   void start() {
