@@ -90,14 +90,19 @@ void MainWindow::connectViews() {
 
 void MainWindow::askToOpenRegion() {
   Document& document = workspace_.document;
-  if (!document.asksToOpen()) return;
-  notices_->add(
-      NoticeBar::Kind::Offer, NoticeBar::Subject::Region,
-      tr("The region is %1, which is %2 % of the body. The slices show its outline; open the 3-D views to it?")
-          .arg(volumeText(document.regionVolume() / 1000.0))
-          .arg(std::lround(100.0 * *document.regionShareOfBody())),
-      {{tr("Open to it"), [&document] { document.openToRegion(); }, true},
-       {tr("Take it back"), [this] { grower_.cancel(); }, true}});
+  const std::optional<Document::Doubt> doubt = document.doubt();
+  if (!doubt) return;
+  const QString size = volumeText(document.regionVolume() / 1000.0);
+  const QString question =
+      *doubt == Document::Doubt::Share
+          ? tr("The region is %1, which is %2 % of the body. The slices show its outline; open the 3-D views to it?")
+                .arg(size)
+                .arg(std::lround(100.0 * *document.regionShareOfBody()))
+          : tr("The region, %1, has a doubtful border. The slices show its outline; open the 3-D views to it?")
+                .arg(size);
+  notices_->add(NoticeBar::Kind::Offer, NoticeBar::Subject::Region, question,
+                {{tr("Open to it"), [&document] { document.openToRegion(); }, true},
+                 {tr("Take it back"), [this] { grower_.cancel(); }, true}});
 }
 
 void MainWindow::connectPanels() {

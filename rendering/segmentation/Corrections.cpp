@@ -30,6 +30,7 @@ constexpr double rimReach = 3.0;  ///< voxel sides from such a seed: the rim's v
 /// Voxel sides: what a seed farther from the region adds is bounded by its volume alone.
 constexpr double boundedGap = 5.0;
 constexpr double crumbShare = 0.1;  ///< of a structure's usual size: what a cut would leave is no structure
+constexpr double leakShare = 0.01;  ///< of the body's volume: a larger region may have leaked
 /// CutCost::perVolume times the side of a cube as large as the body: smaller bodies have smaller structures. What is
 /// soft has edges to go by, bones have their shape alone.
 constexpr double boneCutPerVolume = 9.0, tissueCutPerVolume = 3.0;
@@ -38,7 +39,10 @@ CutCost cutCost(const FirstRegion& first, const StructurePrior& prior, double bo
   const double side = std::cbrt(std::max(1.0, bodyVolume)), crumb = crumbShare * prior.usual;
   if (first.isBone)
     return {.perVolume = boneCutPerVolume / side, .edge = std::numeric_limits<double>::infinity(), .crumb = crumb};
-  return {.perVolume = tissueCutPerVolume / side, .edge = first.noise.unit, .crumb = crumb};
+  CutCost cost{.perVolume = tissueCutPerVolume / side, .edge = first.noise.unit, .crumb = crumb};
+  // What is parted by shape already has not leaked far.
+  if (!first.isTube) cost.leak = leakShare * bodyVolume;
+  return cost;
 }
 
 /// mm from a voxel to the region of a step; empty where that is farther than a piece of the region would be.

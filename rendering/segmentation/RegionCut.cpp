@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <limits>
+#include <numeric>
+#include <queue>
 #include <utility>
 
 #include <boost/graph/boykov_kolmogorov_max_flow.hpp>
@@ -17,10 +20,11 @@ namespace {
 
 constexpr double mostCutCells = 60000.0;  ///< of a region: a cut of more takes longer than a click may
 constexpr double largestClaim = 25.0, largestClaimSides = 40.0;  ///< mm, and voxel sides, whichever is less
-constexpr double bodyReach = 2.0;    ///< voxel sides: an irregular surface has balls that grow no farther than this
-constexpr double farNearer = 0.8;    ///< of the distance from a body that the seed inside has
-constexpr float alwaysHeld = 0.02f;  ///< what a contact across the greatest difference costs, of one without any
-constexpr float claimed = 1e12f;     ///< mm²: no cut passes here
+constexpr double bodyReach = 2.0;      ///< voxel sides: an irregular surface has balls that grow no farther than this
+constexpr double farNearer = 0.8;      ///< of the distance from a body that the seed inside has
+constexpr double leakThickness = 1.5;  ///< the radius of a leak's ball over that of the part that is meant
+constexpr float alwaysHeld = 0.02f;    ///< what a contact across the greatest difference costs, of one without any
+constexpr float claimed = 1e12f;       ///< mm²: no cut passes here
 
 /// A network of nodes 0 … count - 1, a source and a sink.
 class FlowNetwork {
@@ -109,6 +113,9 @@ class CutCells {
   bool holds(glm::ivec3 voxel) const { return whole_.contains(voxel) && joins_[whole_.offset(voxel)] < step_; }
   std::uint32_t numberOf(glm::ivec3 voxel) const { return numbers_[cellOf(voxel)]; }
   std::uint32_t count() const { return static_cast<std::uint32_t>(held_.size()); }
+  double volume() const {
+    return std::accumulate(held_.begin(), held_.end(), 0.0) * volume_.grid.voxelVolume();
+  }                                                                                                   ///< mm³
   double volumeOf(std::uint32_t number) const { return held_[number] * volume_.grid.voxelVolume(); }  ///< mm³
 
   template <class Visit>
@@ -117,12 +124,13 @@ class CutCells {
       if (const glm::ivec3 voxel = box_.at(i); holds(voxel)) visit(voxel);
   }
 
-  /// visit(cell, next cell, mm² of their contact times its weight).
+  /// visit(cell, next cell, mm² of their contact times its weight, mm from one to the next).
   template <class Visit>
   void forContacts(double edge, Visit visit) const {
     const auto unit = static_cast<float>(edge);
     for (int axis = 0; axis < 3; ++axis) {
       const auto face = static_cast<float>(volume_.grid.voxelVolume() / volume_.grid.spacing[axis]);
+      const auto length = static_cast<float>(size_[axis] * volume_.grid.spacing[axis]);
       std::vector<float> areas(cells_.count(), 0.0f);
       forRegion([&](glm::ivec3 voxel) {
         glm::ivec3 next = voxel;
@@ -137,7 +145,7 @@ class CutCells {
         if (areas[cell] > 0.0f) {
           glm::ivec3 next = cells_.at(cell);
           ++next[axis];
-          visit(numbers_[cell], numbers_[cells_.offset(next)], areas[cell]);
+          visit(numbers_[cell], numbers_[cells_.offset(next)], areas[cell], length);
         }
     }
   }
@@ -156,13 +164,63 @@ class CutCells {
   std::vector<std::uint32_t> held_;     ///< by number: voxels of the region
 };
 
+/// The ways between neighbouring cells.
+class CellPaths {
+ public:
+  explicit CellPaths(std::uint32_t count) : first_(std::size_t{count} + 1, 0) {}
+
+  void connect(std::uint32_t a, std::uint32_t b, float length) { ways_.push_back({a, b, length}); }
+  /// After the last connect(), before lengthsFrom().
+  void sort() {
+    for (const Way& way : ways_)
+      for (const std::uint32_t end : {way.a, way.b}) ++first_[end + 1];
+    std::partial_sum(first_.begin(), first_.end(), first_.begin());
+    next_.resize(2 * ways_.size());
+    std::vector<std::uint32_t> at(first_.begin(), first_.end() - 1);
+    for (const Way& way : ways_) {
+      next_[at[way.a]++] = {way.b, way.length};
+      next_[at[way.b]++] = {way.a, way.length};
+    }
+    ways_ = {};
+  }
+  /// By cell: mm of the shortest way from one; infinity where there is none.
+  std::vector<float> lengthsFrom(std::uint32_t cell) const {
+    using Reached = std::pair<float, std::uint32_t>;
+    std::vector<float> lengths(first_.size() - 1, std::numeric_limits<float>::infinity());
+    std::priority_queue<Reached, std::vector<Reached>, std::greater<>> front;
+    const auto reach = [&](float length, std::uint32_t to) {
+      if (length >= lengths[to]) return;
+      lengths[to] = length;
+      front.emplace(length, to);
+    };
+    reach(0.0f, cell);
+    while (!front.empty()) {
+      const auto [length, from] = front.top();
+      front.pop();
+      if (length > lengths[from]) continue;
+      for (std::uint32_t i = first_[from]; i < first_[from + 1]; ++i) reach(length + next_[i].second, next_[i].first);
+    }
+    return lengths;
+  }
+
+ private:
+  struct Way {
+    std::uint32_t a, b;
+    float length;  ///< mm
+  };
+  std::vector<Way> ways_;
+  std::vector<std::uint32_t> first_;  ///< by cell, and one more: where its neighbours begin
+  std::vector<std::pair<std::uint32_t, float>> next_;
+};
+
 enum class Side : std::uint8_t { None, Inside, Outside };
 
 /// By cell: whose ball holds it. Where balls of both sides meet, the one that it lies deeper in.
 class Claims {
  public:
-  Claims(const Grid& grid, const CutCells& cells)
+  Claims(const Grid& grid, const CutCells& cells, bool mayLeak)
       : cells_(cells),
+        mayLeak_(mayLeak),
         worldFromIndex_(grid.worldFromIndex()),
         side_(voxelSide(grid)),
         largest_(std::min(largestClaim, largestClaimSides * side_)),
@@ -180,6 +238,11 @@ class Claims {
       if (!cells_.holds(seed)) continue;
       const Ball own = ballAt(seed), body = bodyOf(own);
       claim(own, Side::Inside);
+      if (thickest_ == 0.0) thickest_ = body.radius;
+      // In a leak a further seed means what lies around it.
+      if (seed != inside.front() && mayLeak_ &&
+          std::ranges::any_of(balls, [this](const Ball& ball) { return isLeak(ball); }))
+        continue;
       // A seed outside that lies in the middle of the body, or far nearer to it, means the body.
       const bool isOutside = std::ranges::any_of(balls, [&](const Ball& ball) {
         return lengthOf(body.centre - ball.centre) <
@@ -193,11 +256,38 @@ class Claims {
 
   Side of(std::uint32_t cell) const { return sides_[cell]; }
 
+  /// Whether a seed outside lies in a part that is far thicker than the one that the first seed inside lies in: that is
+  /// a leak, and what is beside the seed's ball is meant, too.
+  bool haveLeak() const {
+    return std::ranges::any_of(balls_,
+                               [this](const auto& each) { return each.second == Side::Outside && isLeak(each.first); });
+  }
+
+  /// By cell: whether the way to it from the ball of such a seed is shorter than from any ball of those inside, each
+  /// measured in the ball's radii.
+  std::vector<std::uint8_t> inLeak(const CellPaths& paths) const {
+    std::array<std::vector<float>, 2> least;
+    for (auto& each : least) each.assign(sides_.size(), std::numeric_limits<float>::infinity());
+    for (const auto& each : balls_) {
+      const auto& [ball, side] = each;
+      if (side == Side::Outside && !isLeak(ball)) continue;
+      const std::vector<float> lengths = paths.lengthsFrom(cells_.numberOf(ball.centre));
+      std::vector<float>& own = least[side == Side::Outside ? 1 : 0];
+      for (std::size_t cell = 0; cell < own.size(); ++cell)
+        own[cell] = std::min(own[cell], lengths[cell] / static_cast<float>(ball.radius));
+    }
+    std::vector<std::uint8_t> isIn(sides_.size());
+    for (std::size_t cell = 0; cell < isIn.size(); ++cell) isIn[cell] = least[1][cell] < least[0][cell] ? 1 : 0;
+    return isIn;
+  }
+
  private:
   struct Ball {
     glm::ivec3 centre{0};
     double radius = 0.0;  ///< mm
   };
+
+  bool isLeak(const Ball& outside) const { return mayLeak_ && outside.radius > leakThickness * thickest_; }
 
   double lengthOf(glm::ivec3 offset) const {
     return glm::length(glm::dvec3(worldFromIndex_ * glm::dvec4(glm::dvec3(offset), 0.0)));
@@ -226,6 +316,7 @@ class Claims {
   }
 
   void claim(const Ball& ball, Side side) {
+    balls_.emplace_back(ball, side);
     for (const auto& [offset, length] : offsets_) {
       const double place = length / ball.radius;
       if (place >= 1.0) break;
@@ -237,12 +328,15 @@ class Claims {
   }
 
   const CutCells& cells_;
+  bool mayLeak_;  ///< the region is large enough for a leak
   glm::dmat4 worldFromIndex_;
   double side_;                      ///< mm, of a voxel
   double largest_;                   ///< mm: radius
   std::vector<BallOffset> offsets_;  ///< of the largest ball, the nearest first
   std::vector<Side> sides_;          ///< by cell
-  std::vector<double> places_;       ///< by cell: its distance from the seed over the ball's radius
+  double thickest_ = 0.0;            ///< mm: the radius of the part that the first seed inside lies in
+  std::vector<std::pair<Ball, Side>> balls_;
+  std::vector<double> places_;  ///< by cell: its distance from the seed over the ball's radius
 };
 
 /// Takes away what no seed inside is connected with any more, too.
@@ -271,13 +365,25 @@ std::vector<std::uint8_t> cutOff(const Volume& volume, std::span<const Level> jo
   const VoxelBox whole = wholeOf(volume.grid.dims);
   std::vector<std::uint8_t> taken(joins.size(), 0);
   const CutCells cells(volume, joins, step);
-  Claims claims(volume.grid, cells);
+  Claims claims(volume.grid, cells, cells.volume() > cost.leak);
   if (!claims.add(inside, outside)) return taken;
   FlowNetwork network(cells.count());
-  cells.forContacts(cost.edge, [&](std::uint32_t a, std::uint32_t b, float area) { network.connect(a, b, area); });
+  const bool hasLeak = claims.haveLeak();
+  CellPaths paths(cells.count());
+  cells.forContacts(cost.edge, [&](std::uint32_t a, std::uint32_t b, float area, float length) {
+    network.connect(a, b, area);
+    if (hasLeak) paths.connect(a, b, length);
+  });
+  std::vector<std::uint8_t> inLeak(cells.count(), 0);
+  if (hasLeak) {
+    paths.sort();
+    inLeak = claims.inLeak(paths);
+  }
   for (std::uint32_t cell = 0; cell < cells.count(); ++cell) {
     if (claims.of(cell) == Side::Outside)
       network.toSink(cell, claimed);
+    else if (claims.of(cell) == Side::None && inLeak[cell])
+      network.toSink(cell, static_cast<float>(cost.perVolume * cells.volumeOf(cell)));
     else
       network.fromSource(
           cell, claims.of(cell) == Side::Inside ? claimed : static_cast<float>(cost.perVolume * cells.volumeOf(cell)));

@@ -16,15 +16,19 @@ constexpr double airThreshold = -950.0;
 /// Where values are no Hounsfield units, the lowest share of their range that counts as air.
 constexpr double airShare = 0.02;
 
-constexpr double strongEdge = 2.0, weakEdge = 1.0;  ///< noise units, averaged over the border
+// Chosen on the marked structures of tests/bench/results/growing.md, so that no more than 5 % of the regions that do
+// not leak are doubtful.
+constexpr double strongEdge = 2.0, weakEdge = 0.75;  ///< noise units, averaged over the border
 /// A region that is less compact is ragged, as leaks are; with a strong enough edge it may still be a long bone.
 constexpr double leastCompact = 0.25, raggedEdge = 3.0;
 constexpr double leakGrowth = 1.5;  ///< a region that grows by this factor in one step of its curve leaks there
 /// Of the radius of the ball of what joins: a middle that is nearer to the region's lies on no side of it.
 constexpr double leastOffset = 0.35;
 
-/// Steps around a region's own, itself not counted: one that fewer steps hold is passed by, and no structure.
-constexpr int leastSteps = 4;
+/// Steps around a region's own, itself not counted: one that fewer steps hold is passed by, and no structure. What is
+/// more of the body than most structures has had more borders to cross, and must hold for half an octave of tolerance.
+constexpr int leastSteps = 4, leastStepsOfMuch = static_cast<int>(levelsPerOctave / 2.0);
+constexpr double muchOfBody = 0.01;
 
 double volumeAt(const Growth& growth, int step) { return growth.curve.volume[static_cast<std::size_t>(step)]; }
 
@@ -136,7 +140,8 @@ RegionFacts GrowthFacts::at(const Growth& growth, int step) const {
   if (std::all_of(contrasts.begin(), contrasts.end(), [](double contrast) { return contrast == 0.0; })) return facts;
   const double contrast = std::max(0.0, contrasts[static_cast<std::size_t>(step)]);
   facts.contrast = contrast * growth.noise;
-  facts.isPassing = stepsAlike(growth, step) < leastSteps;
+  const bool isMuch = shareOfBody(growth, step).value_or(0.0) > muchOfBody;
+  facts.isPassing = stepsAlike(growth, step) < (isMuch ? leastStepsOfMuch : leastSteps);
   facts.border = facts.isPassing ? Border::Doubtful : borderAt(growth, step, contrast);
   facts.leak = leakAfter(growth, step);
   return facts;

@@ -20,7 +20,9 @@ bool isAir(const Volume& volume, glm::ivec3 voxel);
 
 /// How sure a region is: `Clear` lies on a plateau of tolerances, which hardly change it, and on a strong edge,
 /// `Fair` on one of the two. A ragged region needs a stronger edge. A region that nearly any other tolerance makes half
-/// as large again or less than that is doubtful, however strong its edge is: it is a stage of a leak.
+/// as large again or less than that is doubtful, however strong its edge is: it is a stage of a leak. So is one of more
+/// than a hundredth of the body that half an octave of tolerance changes as much. Nothing opens to a doubtful region by
+/// itself.
 enum class Border : std::uint8_t { Doubtful, Fair, Clear };
 
 struct RegionFacts {

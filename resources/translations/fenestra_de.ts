@@ -207,6 +207,14 @@
         <translation>Toleranz</translation>
     </message>
     <message>
+        <source>Enter</source>
+        <translation>Eingabe</translation>
+    </message>
+    <message>
+        <source>open the 3-D views to a large or doubtful region, which asks before</source>
+        <translation>die 3-D-Ansichten zu einer großen oder zweifelhaften Region öffnen, die vorher fragt</translation>
+    </message>
+    <message>
         <source>Painting the region, in all views</source>
         <translation>Region malen, in allen Ansichten</translation>
     </message>
@@ -5261,6 +5269,10 @@ Kosinus des Winkels zur nächsten der sechs</translation>
         <translation>Die Region umfasst %1, das sind %2 % des Körpers. Die Schichten zeigen ihren Umriss; sollen sich die 3-D-Ansichten dazu öffnen?</translation>
     </message>
     <message>
+        <source>The region, %1, has a doubtful border. The slices show its outline; open the 3-D views to it?</source>
+        <translation>Die Region, %1, hat einen zweifelhaften Rand. Die Schichten zeigen ihren Umriss; sollen sich die 3-D-Ansichten dazu öffnen?</translation>
+    </message>
+    <message>
         <source>Open to it</source>
         <translation>Dazu öffnen</translation>
     </message>
@@ -5767,6 +5779,10 @@ Aus: erst die beste Ansicht, dann die beste daneben</translation>
     <message>
         <source>That is %1 % of the body: the 3-D views do not open to it by themselves.</source>
         <translation>Das sind %1 % des Körpers: die 3-D-Ansichten öffnen sich nicht von selbst dazu.</translation>
+    </message>
+    <message>
+        <source>The 3-D views do not open to it by themselves.</source>
+        <translation>Die 3-D-Ansichten öffnen sich nicht von selbst dazu.</translation>
     </message>
     <message>
         <source>Region: %1</source>

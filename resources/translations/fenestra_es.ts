@@ -207,6 +207,14 @@
         <translation>tolerancia</translation>
     </message>
     <message>
+        <source>Enter</source>
+        <translation>Intro</translation>
+    </message>
+    <message>
+        <source>open the 3-D views to a large or doubtful region, which asks before</source>
+        <translation>abrir las vistas 3D a una región grande o dudosa, que pregunta antes</translation>
+    </message>
+    <message>
         <source>Painting the region, in all views</source>
         <translation>Pintar la región, en todas las vistas</translation>
     </message>
@@ -5261,6 +5269,10 @@ Coseno del ángulo con la más próxima de las seis</translation>
         <translation>La región mide %1, el %2 % del cuerpo. Los cortes muestran su contorno; ¿abrir las vistas 3D a ella?</translation>
     </message>
     <message>
+        <source>The region, %1, has a doubtful border. The slices show its outline; open the 3-D views to it?</source>
+        <translation>La región, de %1, tiene un borde dudoso. Los cortes muestran su contorno; ¿abrir las vistas 3D a ella?</translation>
+    </message>
+    <message>
         <source>Open to it</source>
         <translation>Abrir a ella</translation>
     </message>
@@ -5767,6 +5779,10 @@ Desactivado: primero la mejor vista, luego la mejor junto a ella</translation>
     <message>
         <source>That is %1 % of the body: the 3-D views do not open to it by themselves.</source>
         <translation>Es el %1 % del cuerpo: las vistas 3D no se abren a ella por sí solas.</translation>
+    </message>
+    <message>
+        <source>The 3-D views do not open to it by themselves.</source>
+        <translation>Las vistas 3D no se abren a ella por sí solas.</translation>
     </message>
     <message>
         <source>Region: %1</source>

@@ -207,6 +207,14 @@
         <translation>tolérance</translation>
     </message>
     <message>
+        <source>Enter</source>
+        <translation>Entrée</translation>
+    </message>
+    <message>
+        <source>open the 3-D views to a large or doubtful region, which asks before</source>
+        <translation>ouvrir les vues 3D vers une région grande ou douteuse, qui demande avant</translation>
+    </message>
+    <message>
         <source>Painting the region, in all views</source>
         <translation>Peindre la région, dans toutes les vues</translation>
     </message>
@@ -5261,6 +5269,10 @@ Cosinus de l&apos;angle avec la plus proche des six</translation>
         <translation>La région fait %1, soit %2 % du corps. Les coupes montrent son contour&#xa0;; ouvrir les vues 3D vers elle&#xa0;?</translation>
     </message>
     <message>
+        <source>The region, %1, has a doubtful border. The slices show its outline; open the 3-D views to it?</source>
+        <translation>La région, de %1, a un bord douteux. Les coupes montrent son contour&#xa0;; ouvrir les vues 3D vers elle&#xa0;?</translation>
+    </message>
+    <message>
         <source>Open to it</source>
         <translation>Ouvrir vers elle</translation>
     </message>
@@ -5767,6 +5779,10 @@ Sinon&#xa0;: d&apos;abord la meilleure vue, puis la meilleure à côté</transla
     <message>
         <source>That is %1 % of the body: the 3-D views do not open to it by themselves.</source>
         <translation>C&apos;est %1 % du corps&#xa0;: les vues 3D ne s&apos;ouvrent pas d&apos;elles-mêmes vers elle.</translation>
+    </message>
+    <message>
+        <source>The 3-D views do not open to it by themselves.</source>
+        <translation>Les vues 3D ne s&apos;ouvrent pas d&apos;elles-mêmes vers elle.</translation>
     </message>
     <message>
         <source>Region: %1</source>

@@ -207,6 +207,14 @@
         <translation>容差</translation>
     </message>
     <message>
+        <source>Enter</source>
+        <translation>回车</translation>
+    </message>
+    <message>
+        <source>open the 3-D views to a large or doubtful region, which asks before</source>
+        <translation>让三维视图向先行询问的过大或存疑区域开口</translation>
+    </message>
+    <message>
         <source>Painting the region, in all views</source>
         <translation>绘制区域（所有视图）</translation>
     </message>
@@ -5259,6 +5267,10 @@ Cosine of the angle to the nearest of the six</source>
         <translation>该区域为 %1，占身体的 %2 %。层面显示其轮廓；是否让三维视图向其开口？</translation>
     </message>
     <message>
+        <source>The region, %1, has a doubtful border. The slices show its outline; open the 3-D views to it?</source>
+        <translation>该区域为 %1，边界存疑。层面显示其轮廓；是否让三维视图向其开口？</translation>
+    </message>
+    <message>
         <source>Open to it</source>
         <translation>向其开口</translation>
     </message>
@@ -5763,6 +5775,10 @@ Off: first the best view, then the best one beside it</source>
     <message>
         <source>That is %1 % of the body: the 3-D views do not open to it by themselves.</source>
         <translation>占身体的 %1 %：三维视图不会自动向其开口。</translation>
+    </message>
+    <message>
+        <source>The 3-D views do not open to it by themselves.</source>
+        <translation>三维视图不会自动向其开口。</translation>
     </message>
     <message>
         <source>Region: %1</source>

@@ -347,6 +347,17 @@ void Conventions::addGesturesOfAllViews(Cases& cases) {
     document().setFocus(std::monostate{});
     waitUntilDrawn();  // Esc would end the growing
   };
+  cases[region + "Enter"] = [this] {
+    for (QWidget* view : {static_cast<QWidget*>(axial()), static_cast<QWidget*>(volume(0))}) {
+      document().growFrom({view == axial() ? -10.0 : -8.0, 10.0, markerCentre.z});
+      ASSERT_TRUE(QTest::qWaitFor([this] { return document().isWhole(); }, patience));
+      ASSERT_TRUE(document().asksToOpen()) << "the ball is the body";
+      QTest::keyClick(view, Qt::Key_Return);
+      EXPECT_TRUE(document().showsGrowth());
+      document().setFocus(std::monostate{});
+      waitUntilDrawn();
+    }
+  };
   const std::string painting = "Painting the region, in all views: ";
   cases[painting + "Drag"] = cases[painting + "Shift+drag"] = [this] {
     cursor().moveTo(markerCentre);

@@ -366,6 +366,46 @@ TEST_F(RegionWindow, ALargeRegionAsksAndTheFocusBeforeShows) {
   EXPECT_NE(document().scene(), before);
 }
 
+TEST_F(RegionWindow, ADoubtfulRegionAsksAndEnterOpensToIt) {
+  clickSlice(markerCentre);
+  waitUntilGrown();
+  EXPECT_FALSE(document().asksToOpen());
+  // The marker as it were with a border that lies in the noise.
+  const auto weak = std::make_shared<segmentation::Growth>(*document().growth());
+  std::ranges::fill(weak->curve.contrast, 0.5);
+  const auto facts = std::make_shared<const segmentation::GrowthFacts>(*document().scene().volume, *weak);
+  const auto clickDoubtful = [&](double beside) {
+    document().setFocus(ValueFocus{.values = {800.0, 1000.0}});
+    waitUntilDrawn();
+    clickSlice(markerCentre + glm::dvec3(beside, 0.0, 0.0));
+    document().setGrowth(*document().region(), {weak, facts});
+  };
+  clickDoubtful(2.0);
+  const Scene before = document().scene();
+  ASSERT_EQ(document().doubt(), Document::Doubt::Border);
+  EXPECT_TRUE(std::holds_alternative<ValueFocus>(before.look.focus)) << "the 3-D views wait";
+  EXPECT_EQ(window_->notices().texts().size(), 1);
+  EXPECT_TRUE(region().open()->isVisible());
+  EXPECT_TRUE(region().facts()->text().contains(QLatin1String("doubtful")));
+  QTest::keyClick(window_.get(), Qt::Key_Escape);
+  EXPECT_TRUE(std::holds_alternative<ValueFocus>(document().focus()));
+  EXPECT_TRUE(window_->notices().texts().isEmpty());
+
+  for (QWidget* view : {static_cast<QWidget*>(slice(SlicePlane::Axial)), static_cast<QWidget*>(volume(0))}) {
+    clickDoubtful(view == volume(0) ? 4.0 : 3.0);
+    ASSERT_TRUE(document().asksToOpen());
+    QTest::keyClick(view, Qt::Key_Return);
+    EXPECT_TRUE(document().showsGrowth());
+    EXPECT_FALSE(region().open()->isVisible());
+    EXPECT_TRUE(window_->notices().texts().isEmpty());
+  }
+  // A tolerance of the user's own needs no question.
+  clickDoubtful(1.0);
+  ASSERT_TRUE(document().asksToOpen());
+  wheel(slice(SlicePlane::Axial), 1, Qt::AltModifier);
+  EXPECT_TRUE(document().showsGrowth());
+}
+
 TEST_F(RegionWindow, SlicesKeepTheFocusBeforeUntilTheRegionIsWhole) {
   QTest::keyClick(window_.get(), Qt::Key_C);
   cursor().moveTo(markerCentre);

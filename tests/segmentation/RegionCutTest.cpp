@@ -67,6 +67,28 @@ TEST(RegionCut, ASeedInTheMiddleOfAPartTakesThePart) {
   EXPECT_LT(shares.others, 0.03);
 }
 
+/// A ball that has leaked through a neck into a block, which is so large that its price exceeds that of any cut.
+TEST(RegionCut, ASeedInALargeLeakTakesItUpToTheNeck) {
+  const Grid grid = gridOf({120, 61, 61});
+  const glm::dvec3 ball(15.0, 30.0, 30.0);
+  const auto inLeak = [](glm::ivec3 at) { return at.x >= 40; };
+  const auto volume = evenVolume(grid);
+  const std::vector<Level> joins = regionOf(grid, [&](glm::ivec3 at) {
+    return inBall(at, ball, 12.0) || inLeak(at) ||
+           (at.x > 15 && glm::length(glm::dvec2(at.y, at.z) - glm::dvec2(30.0)) <= 4.0);
+  });
+  const glm::ivec3 inside(ball), outside(90, 30, 30);
+  const auto taken = cutOff(*volume, joins, step, std::span(&inside, 1), std::span(&outside, 1),
+                            {.perVolume = 0.1, .edge = infinity, .leak = 1000.0});
+  const Shares shares = sharesOf(taken, joins, grid, inLeak);
+  EXPECT_GT(shares.wanted, 0.99);
+  EXPECT_LT(shares.others, 0.15) << "the neck's voxels may go with either";
+  // Where no leak is expected, the block is too dear, and the seed takes the ball around it: a fifth.
+  const auto spot =
+      cutOff(*volume, joins, step, std::span(&inside, 1), std::span(&outside, 1), {.perVolume = 0.1, .edge = infinity});
+  EXPECT_LT(sharesOf(spot, joins, grid, inLeak).wanted, 0.3);
+}
+
 TEST(RegionCut, ASeedAtTheSurfaceTakesASpot) {
   const auto volume = evenVolume(twoBalls);
   const std::vector<Level> joins = regionOf(twoBalls, inEither);

@@ -11,7 +11,7 @@ namespace fenestra::segmentation::regionFactsTest {
 namespace {
 
 /// The facts at a step in the middle of a growth whose volume grows by `factor` from step to step, with a strong edge.
-RegionFacts factsOf(double factor, double compactness = 0.5, double contrast = 5.0) {
+RegionFacts factsOf(double factor, double compactness = 0.5, double contrast = 5.0, double shareOfBody = 0.001) {
   constexpr int step = 100;
   const Grid grid = tests::gridOf(glm::ivec3(4));
   const auto volume = tests::volumeOf<float>(grid, [](glm::ivec3 at) { return static_cast<double>(at.x); });
@@ -28,6 +28,7 @@ RegionFacts factsOf(double factor, double compactness = 0.5, double contrast = 5
   growth.curve.compactness.assign(growth.curve.contrast.size(), compactness);
   growth.curve.plateaus = {{step, step, step, 1000.0, 5.0}};
   growth.curve.automatic = step;
+  growth.bodyVolume = 1000.0 / shareOfBody;
   return GrowthFacts(*volume, growth).at(growth, step);
 }
 
@@ -39,6 +40,13 @@ TEST(RegionFacts, ARegionThatOtherTolerancesHoldIsClear) {
 TEST(RegionFacts, AStageOfALeakIsDoubtfulHoweverStrongItsEdge) {
   EXPECT_TRUE(factsOf(1.6).isPassing);
   EXPECT_EQ(factsOf(1.6).border, Border::Doubtful);
+}
+
+TEST(RegionFacts, MuchOfTheBodyMustHoldForLonger) {
+  // By half in 0.41 / 0.08 = 5 steps on each side, or in 0.41 / 0.02 = 20.
+  EXPECT_EQ(factsOf(1.08).border, Border::Clear);
+  EXPECT_EQ(factsOf(1.08, 0.5, 5.0, 0.05).border, Border::Doubtful);
+  EXPECT_EQ(factsOf(1.02, 0.5, 5.0, 0.05).border, Border::Clear);
 }
 
 TEST(RegionFacts, ARaggedRegionNeedsAStrongerEdge) {

@@ -68,6 +68,8 @@ inline constexpr auto gestures = std::to_array<Gesture>({
      QT_TRANSLATE_NOOP("Dialogs", "draw a ball around a structure: the region that grows there stays within it")},
     {"A grown region, in all views", QT_TRANSLATE_NOOP("Dialogs", "Alt+wheel"),
      QT_TRANSLATE_NOOP("Dialogs", "tolerance")},
+    {"A grown region, in all views", QT_TRANSLATE_NOOP("Dialogs", "Enter"),
+     QT_TRANSLATE_NOOP("Dialogs", "open the 3-D views to a large or doubtful region, which asks before")},
     {QT_TRANSLATE_NOOP("Dialogs", "Painting the region, in all views"), QT_TRANSLATE_NOOP("Dialogs", "Drag"),
      QT_TRANSLATE_NOOP("Dialogs", "add what the ball passes over")},
     {"Painting the region, in all views", QT_TRANSLATE_NOOP("Dialogs", "Shift+drag"),

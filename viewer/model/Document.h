@@ -82,9 +82,15 @@ class Document : public QObject, private DocumentParts {
   /// The pictures show growth(). They keep the focus before while there is one and the region is not whole, and while
   /// asksToOpen().
   bool showsGrowth() const;
-  /// The region is whole but so large a share of the body that it was hardly meant, and the user has not said to open
-  /// to it; see segmentation::largeShareOfBody.
-  bool asksToOpen() const;
+  /// Why a region is hardly what was meant: it is too large a share of the body (segmentation::largeShareOfBody), or
+  /// its border is doubtful.
+  enum class Doubt : std::uint8_t { Share, Border };
+  /// Of a whole region that the user has not said to open to. A border is doubted only while the program chooses the
+  /// tolerance and no ball bounds the region, and what corrects a region that shows is not doubted again unless it
+  /// grows.
+  std::optional<Doubt> doubt() const;
+  /// Whether the pictures wait for an answer because of doubt().
+  bool asksToOpen() const { return doubt().has_value(); }
   /// The user's answer: the pictures open to the region.
   void openToRegion();
   /// mm³ of the region; growth() must be there. Its share of the body, where that is known.

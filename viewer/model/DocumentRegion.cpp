@@ -38,12 +38,17 @@ const segmentation::Growth* Document::growth() const {
 
 bool Document::showsGrowth() const { return isWhole() ? !asksToOpen() : growth() && showsPreview_; }
 
-bool Document::asksToOpen() const {
-  if (!isWhole() || !region()->painted.empty()) return false;
-  const std::optional<double> share = regionShareOfBody();
-  if (!share || *share <= segmentation::largeShareOfBody) return false;
-  return std::none_of(opened_.begin(), opened_.end(),
-                      [&](const RegionFocus& each) { return segmentation::haveSameSeeds(each, *region()); });
+std::optional<Document::Doubt> Document::doubt() const {
+  if (!isWhole() || !region()->painted.empty()) return std::nullopt;
+  const bool isOpened = std::any_of(opened_.begin(), opened_.end(), [&](const RegionFocus& each) {
+    return segmentation::haveSameSeeds(each, *region());
+  });
+  if (isOpened) return std::nullopt;
+  if (regionShareOfBody().value_or(0.0) > segmentation::largeShareOfBody) return Doubt::Share;
+  // A tolerance or a ball of the user's own is what was meant.
+  if (region()->tolerance || region()->ball > 0.0) return std::nullopt;
+  const std::optional<segmentation::RegionFacts> facts = regionFacts();
+  return facts && facts->border == segmentation::Border::Doubtful ? std::optional(Doubt::Border) : std::nullopt;
 }
 
 void Document::openToRegion() {

@@ -162,9 +162,12 @@ void RegionPanel::showFacts() {
   open_->setVisible(document_.asksToOpen());
   if (!facts) return;
   QStringList sentences = regionSentences(*facts, document_.scene().volume->unit);
-  if (document_.asksToOpen())
+  const std::optional<Document::Doubt> doubt = document_.doubt();
+  if (doubt == Document::Doubt::Share)
     sentences << tr("That is %1 % of the body: the 3-D views do not open to it by themselves.")
                      .arg(std::lround(100.0 * *document_.regionShareOfBody()));
+  else if (doubt)
+    sentences << tr("The 3-D views do not open to it by themselves.");
   facts_->setText(sentences.join(QLatin1Char(' ')));
 }
 

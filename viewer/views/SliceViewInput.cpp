@@ -155,6 +155,9 @@ void SliceView::keyPressEvent(QKeyEvent* event) {
     case Qt::Key_End:
       steps = geometry_.count;
       break;
+    case Qt::Key_Return:
+    case Qt::Key_Enter:
+      return document_.openToRegion();
     default:
       QWidget::keyPressEvent(event);
       return;

@@ -199,6 +199,9 @@ void VolumeView::keyPressEvent(QKeyEvent* event) {
     case Qt::Key_Down:
       pitch = -arrowTurn;
       break;
+    case Qt::Key_Return:
+    case Qt::Key_Enter:
+      return document_.openToRegion();
     default:
       QWidget::keyPressEvent(event);
       return;
