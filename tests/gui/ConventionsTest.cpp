@@ -441,6 +441,7 @@ TEST_F(Conventions, EveryGestureDoesWhatItSays) {
   addArchiveGestures(cases);
   addListGestures(cases);
   addKeyImageGestures(cases);
+  addReformatGestures(cases);
   run(cases, wanted);
 }
 

@@ -50,9 +50,11 @@ SliceView::SliceView(SlicePlane plane, Workspace& workspace, OpeningEdge& openin
       toleranceWheel_(document_),
       clipTool_(document_, options_, workspace.tool, *canvas_),
       ballTool_(workspace, *canvas_),
+      pathTool_(workspace.path, options_, *canvas_),
       measureTool_(workspace.measuring, document_, options_, *canvas_),
       planeTool_(workspace, *canvas_),
-      tools_({&carveTool_, &selectionTool_, &toleranceWheel_, &clipTool_, &measureTool_, &planeTool_, &ballTool_}) {
+      tools_({&carveTool_, &selectionTool_, &toleranceWheel_, &clipTool_, &pathTool_, &measureTool_, &planeTool_,
+              &ballTool_}) {
   geometry_.plane = plane;
   setMouseTracking(true);
   setFocusPolicy(Qt::StrongFocus);
@@ -93,6 +95,8 @@ SliceView::SliceView(SlicePlane plane, Workspace& workspace, OpeningEdge& openin
   };
   connect(&workspace.tool, &ActiveTool::changed, this, showTools);
   connect(&workspace.measuring, &MeasureMode::changed, this, showTools);
+  connect(&workspace.path, &PathMode::changed, this, showTools);
+  connect(&workspace.path, &PathMode::moved, this, [this] { update(); });
   connect(&workspace.ball, &RegionBall::changed, this, [this] { update(); });
   readGeometry();
 }
