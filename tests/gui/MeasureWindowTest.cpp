@@ -334,6 +334,12 @@ TEST_F(MeasureWindow, ATextIsPlacedByAClickAndNothingWithoutWords) {
   change->trigger();
   type(QStringLiteral("links"));
   EXPECT_EQ(document().measures()[0].text, "links");
+  // Grabbed by its words, right of its point, it moves as a whole.
+  const QPoint words = at({5, 5, z}) + QPoint(20, 0);
+  ASSERT_EQ(axial()->measureTool().measureAt(words), 0u);
+  drag(axial(), words, words + QPoint(0, 40));
+  EXPECT_GT(document().measures()[0].points[0].y, 6.0);
+  document().undoStack().undo();
   document().setMeasures({document().measures()[0]}, {});
   change->trigger();
   type({});

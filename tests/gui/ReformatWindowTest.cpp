@@ -74,7 +74,9 @@ constexpr double tubeRadius = 7.0;  // mm
 /// A study with a straight tube along z, beside the middle.
 io::Study tubeStudy() {
   io::Study study = markedBall();
-  auto labels = std::make_shared<LabelMap>(*study.scene.labels);
+  auto labels = std::make_shared<LabelMap>();
+  labels->grid = study.scene.labels->grid;
+  labels->labels = study.scene.labels->labels;
   labels->voxels = Voxels(ScalarType::UInt8, labels->grid.voxelCount());
   auto marks = labels->voxels.as<std::uint8_t>();
   for (int z = 6; z < 42; ++z)
