@@ -326,7 +326,9 @@ TEST_F(MeasureWindow, ATextIsPlacedByAClickAndNothingWithoutWords) {
   question()->reject();
   EXPECT_EQ(document().measures().size(), 1u) << "cancelled";
   EXPECT_FALSE(measuring().draft());
+  QApplication::setActiveWindow(window_.get());  // the question was it
   QTest::keyClick(axial(), Qt::Key_Escape);
+  ASSERT_FALSE(measuring().kind());
   // Changed by the menu, and gone without words.
   measuring().select(0);
   auto* change = window_->findChild<QAction*>(QStringLiteral("changeMarkText"));
