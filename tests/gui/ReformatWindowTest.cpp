@@ -1,6 +1,7 @@
 // The curved reformat in the window: a path clicked on slices or taken from the focus, its pictures, its place, undo,
 // and that sessions keep it.
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 
@@ -79,6 +80,7 @@ io::Study tubeStudy() {
   labels->labels = study.scene.labels->labels;
   labels->voxels = Voxels(ScalarType::UInt8, labels->grid.voxelCount());
   auto marks = labels->voxels.as<std::uint8_t>();
+  std::fill(marks.begin(), marks.end(), std::uint8_t{0});  // new voxels hold anything
   for (int z = 6; z < 42; ++z)
     for (int y = 0; y < 48; ++y)
       for (int x = 0; x < 48; ++x) {
