@@ -39,6 +39,7 @@
 #include "viewer/model/PatientLines.h"
 #include "viewer/panels/CamerasPanel.h"
 #include "viewer/panels/FileDialog.h"
+#include "viewer/panels/ReformatPanel.h"
 #include "viewer/panels/SeriesPanel.h"
 #include "viewer/results/ResultsDialog.h"
 #include "viewer/style/FocusRing.h"
@@ -271,8 +272,8 @@ void MainWindow::goToFocus() {
 bool MainWindow::isIdle() {
   return !loader_.job().isRunning() && !exports_->job().isRunning() && !pictures_->isBusy() &&
          !verification_->isBusy() && !focusSearch_.isRunning() && !grower_.isGrowing() &&
-         !labelEditor_.job().isRunning() && !workspace_.placement.isBusy() && !workspace_.cameras.isFlying() &&
-         !panels_.cameras->bestViews().isDrawing() && views_->isSettled();
+         !labelEditor_.job().isRunning() && !panels_.reformat->isBusy() && !workspace_.placement.isBusy() &&
+         !workspace_.cameras.isFlying() && !panels_.cameras->bestViews().isDrawing() && views_->isSettled();
 }
 
 void MainWindow::whenDrawn(std::function<void()> done) {

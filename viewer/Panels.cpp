@@ -18,6 +18,7 @@
 #include "viewer/panels/FocusPanel.h"
 #include "viewer/panels/KeyImagesPanel.h"
 #include "viewer/panels/LabelTable.h"
+#include "viewer/panels/ReformatPanel.h"
 #include "viewer/panels/ScrollingPanel.h"
 #include "viewer/panels/SeriesPanel.h"
 #include "viewer/panels/TagsPanel.h"
@@ -68,6 +69,8 @@ void addLists(QMainWindow& window, Panels& panels) {
           PanelsWords::tr("Ctrl+Shift+T"));
   addList(window, *panels.seriesDock, *add(PanelsWords::tr("Key images"), "keyImagesDock", panels.keyImages),
           PanelsWords::tr("Ctrl+Shift+D"));
+  addList(window, *panels.seriesDock, *add(PanelsWords::tr("Curved reformat"), "reformatDock", panels.reformat),
+          PanelsWords::tr("Ctrl+Shift+R"));
 }
 
 }  // namespace
@@ -85,6 +88,7 @@ Panels makePanels(QMainWindow& window, Workspace& workspace) {
                 .tags = new TagsPanel(document, workspace.cursor, workspace.planes, workspace.options),
                 .labelTable = new LabelTable(document, workspace.placement, workspace.cursor),
                 .keyImages = new KeyImagesPanel(document, workspace.keyImages),
+                .reformat = new ReformatPanel(document, workspace.path),
                 .heights = nullptr,
                 .seriesDock = nullptr,
                 .folding = nullptr};

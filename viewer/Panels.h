@@ -17,6 +17,7 @@ class DockHeights;
 class FocusPanel;
 class KeyImagesPanel;
 class LabelTable;
+class ReformatPanel;
 class SeriesPanel;
 class TagsPanel;
 struct Workspace;
@@ -34,13 +35,14 @@ struct Panels {
   TagsPanel* tags;
   LabelTable* labelTable;
   KeyImagesPanel* keyImages;
+  ReformatPanel* reformat;
   DockHeights* heights;
   QDockWidget* seriesDock;
   DockFolding* folding;
 };
 
-/// Makes the panels and docks them in the window: the lists of series, DICOM tags, labels and key images on the left,
-/// where each is hidden until it is asked for, all others on the right.
+/// Makes the panels and docks them in the window: the lists of series, DICOM tags, labels and key images and the curved
+/// reformat on the left, where each is hidden until it is asked for, all others on the right.
 Panels makePanels(QMainWindow& window, Workspace& workspace);
 
 }  // namespace fenestra::viewer

@@ -144,6 +144,7 @@ struct Session {
   SessionOverlays overlays;
   std::array<SessionPlane, 3> planes;  ///< axial, sagittal, coronal
   std::vector<Measure> measures;       ///< on the slices
+  std::vector<glm::dvec3> path;        ///< of the straightened picture, LPS, mm; empty: none
   std::vector<KeyImage> keyImages;     ///< in the user's order
   std::string maximised;               ///< the view that has the whole area: "C1", "C2", "axial", …; empty: none
   std::string layout;                  ///< the window's own, in Base64
@@ -159,6 +160,9 @@ struct Session {
 
   bool operator==(const Session&) const = default;
 };
+
+/// The most points of a path.
+inline constexpr std::size_t mostPathPoints = 10'000;
 
 /// The camera that makes a view's picture of that size.
 Camera shownCamera(const SessionView& view, glm::ivec2 size);

@@ -122,6 +122,8 @@ void check(const Session& session, const json::Reader& top) {
   refuseUnless(std::all_of(session.measures.begin(), session.measures.end(), isWellFormed), top,
                "has a measure without the points, the plane or the text that its kind needs");
   checkPlanes(session.planes, top);
+  refuseUnless(session.path.size() != 1 && session.path.size() <= mostPathPoints, top,
+               "has a path of one point, or of more than anybody clicks");
   refuseUnless(session.keyImages.size() <= KeyImage::most, top, "has more key images than anybody keeps");
   for (const KeyImage& image : session.keyImages) {
     refuseUnless(image.name.size() <= KeyImage::longestName, top, "has a key image with too long a name");

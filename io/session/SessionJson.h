@@ -228,6 +228,8 @@ void members(auto& io, Is<Session> auto& session) {
   io("overlays", session.overlays, {}, {"What is drawn over the pictures"});
   io("planes", session.planes, {}, {"How the axial, sagittal and coronal slices lie"});
   io("measures", session.measures, {}, {"Distances, angles, regions, arrows and texts on the slices"});
+  io.optional("path", session.path, !session.path.empty(), millimetres,
+              {"Points that the straightened picture follows, at least two, in the patient's mm (LPS)"});
   io.optional("key_images", session.keyImages, !session.keyImages.empty(), {},
               {"States of the window that one returns to, in the user's order"});
   io.optional("maximised", session.maximised, !session.maximised.empty(), {},

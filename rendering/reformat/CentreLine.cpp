@@ -240,6 +240,12 @@ CentreLine centreLineOf(const VoxelRegion& region) {
     leadOut(points, region, 0.25 * step, line.radius + step);
     std::reverse(points.begin(), points.end());
   }
+  // Between bends as tight as twice the tube's radius, its middle is twice as long as the way along their insides. In a
+  // blob, middles of cross-sections lie here and there, and a line through them is far longer.
+  constexpr double mostLength = 2.0;
+  double length = 0.0;
+  for (std::size_t i = 1; i < points.size(); ++i) length += glm::distance(points[i], points[i - 1]);
+  if (length > mostLength * static_cast<double>(farther.cost[second])) return line;
   if (points.front().z < points.back().z) std::reverse(points.begin(), points.end());
   line.points = std::move(points);
   return line;

@@ -474,6 +474,42 @@
         <source>copy and delete; change the text of a mark</source>
         <translation>kopieren und löschen; den Text einer Markierung ändern</translation>
     </message>
+    <message>
+        <source>The path of the curved reformat, on the slices</source>
+        <translation>Pfad der gekrümmten Reformatierung, auf den Schichten</translation>
+    </message>
+    <message>
+        <source>Clicks, as it is being drawn</source>
+        <translation>Klicks, solange er gezeichnet wird</translation>
+    </message>
+    <message>
+        <source>add points; Enter or a double click ends it, Esc drops it</source>
+        <translation>Punkte hinzufügen; Eingabe oder Doppelklick beendet ihn, Esc verwirft ihn</translation>
+    </message>
+    <message>
+        <source>Backspace</source>
+        <translation>Rücktaste</translation>
+    </message>
+    <message>
+        <source>take the last point away</source>
+        <translation>den letzten Punkt wegnehmen</translation>
+    </message>
+    <message>
+        <source>The pictures of the curved reformat</source>
+        <translation>Bilder der gekrümmten Reformatierung</translation>
+    </message>
+    <message>
+        <source>crosshair to that place of the path</source>
+        <translation>Fadenkreuz an diese Stelle des Pfades</translation>
+    </message>
+    <message>
+        <source>Wheel, arrows, Page, Home and End keys</source>
+        <translation>Rad, Pfeil-, Bild-, Pos1- und Ende-Tasten</translation>
+    </message>
+    <message>
+        <source>move along the path</source>
+        <translation>am Pfad entlanggehen</translation>
+    </message>
 </context>
 <context>
     <name>Fidelity</name>
@@ -949,6 +985,14 @@
     <message>
         <source>Ctrl+Shift+D</source>
         <translation>Ctrl+Shift+D</translation>
+    </message>
+    <message>
+        <source>Curved reformat</source>
+        <translation>Gekrümmte Reformatierung</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+R</source>
+        <translation>Ctrl+Shift+R</translation>
     </message>
 </context>
 <context>
@@ -3853,6 +3897,18 @@ Kosinus des Winkels zur nächsten der sechs</translation>
         <source>Change te&amp;xt…</source>
         <translation>Te&amp;xt ändern…</translation>
     </message>
+    <message>
+        <source>Draw a &amp;path</source>
+        <translation>Pfa&amp;d zeichnen</translation>
+    </message>
+    <message>
+        <source>S</source>
+        <translation>S</translation>
+    </message>
+    <message>
+        <source>Path along the &amp;focus</source>
+        <translation>Pfad durch den F&amp;okus</translation>
+    </message>
 </context>
 <context>
     <name>fenestra::viewer::AppearancePanel</name>
@@ -5363,6 +5419,13 @@ Voxel außerhalb des Aufgenommenen: %8</translation>
     </message>
 </context>
 <context>
+    <name>fenestra::viewer::PathMode</name>
+    <message>
+        <source>Draw a path</source>
+        <translation>Pfad zeichnen</translation>
+    </message>
+</context>
+<context>
     <name>fenestra::viewer::PictureDialog</name>
     <message>
         <source>C%1</source>
@@ -5689,6 +5752,116 @@ Aus: erst die beste Ansicht, dann die beste daneben</translation>
     <message>
         <source>Look</source>
         <translation>Aussehen</translation>
+    </message>
+</context>
+<context>
+    <name>fenestra::viewer::ReformatPanel</name>
+    <message>
+        <source>Dra&amp;w</source>
+        <translation>&amp;Zeichnen</translation>
+    </message>
+    <message>
+        <source>Follow the f&amp;ocus</source>
+        <translation>F&amp;okus folgen</translation>
+    </message>
+    <message>
+        <source>De&amp;lete</source>
+        <translation>&amp;Löschen</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>°</source>
+        <translation>°</translation>
+    </message>
+    <message>
+        <source>Click points on the slices; Backspace takes the last away, Enter or a double click ends the path</source>
+        <translation>Klicken Sie Punkte auf den Schichten an; die Rücktaste nimmt den letzten weg, Eingabe oder ein Doppelklick beendet den Pfad</translation>
+    </message>
+    <message>
+        <source>Finds the centre line of the tubular structure in focus</source>
+        <translation>Findet die Mittellinie der röhrenförmigen Struktur im Fokus</translation>
+    </message>
+    <message>
+        <source>Deletes the path</source>
+        <translation>Löscht den Pfad</translation>
+    </message>
+    <message>
+        <source>Width of the pictures</source>
+        <translation>Breite der Bilder</translation>
+    </message>
+    <message>
+        <source>Turns the straightened picture about the path</source>
+        <translation>Dreht das gestreckte Bild um den Pfad</translation>
+    </message>
+    <message>
+        <source>Straightened along the path</source>
+        <translation>Gestreckt entlang des Pfades</translation>
+    </message>
+    <message>
+        <source>Across the path</source>
+        <translation>Quer zum Pfad</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>Breite</translation>
+    </message>
+    <message>
+        <source>Turned by</source>
+        <translation>Gedreht um</translation>
+    </message>
+    <message>
+        <source>Delete the path</source>
+        <translation>Pfad löschen</translation>
+    </message>
+    <message>
+        <source>Bring a label or a region into focus first: a vessel, or another tube.</source>
+        <translation>Nehmen Sie zuerst ein Label oder eine Region in den Fokus: ein Gefäß oder eine andere Röhre.</translation>
+    </message>
+    <message>
+        <source>Path along the focus</source>
+        <translation>Pfad durch den Fokus</translation>
+    </message>
+    <message>
+        <source>The structure in focus is no tube: it is hardly longer than thick. Draw a path instead.</source>
+        <translation>Die Struktur im Fokus ist keine Röhre: sie ist kaum länger als dick. Zeichnen Sie stattdessen einen Pfad.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n points; Enter ends the path</source>
+        <translation>
+            <numerusform>%n Punkt; Eingabe beendet den Pfad</numerusform>
+            <numerusform>%n Punkte; Eingabe beendet den Pfad</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Finding the centre line…</source>
+        <translation>Mittellinie wird gesucht…</translation>
+    </message>
+    <message>
+        <source>Draw a path on the slices, or follow the vessel that is in focus.</source>
+        <translation>Zeichnen Sie einen Pfad auf den Schichten, oder folgen Sie dem Gefäß im Fokus.</translation>
+    </message>
+    <message>
+        <source>At %1 of %2 mm</source>
+        <translation>Bei %1 von %2 mm</translation>
+    </message>
+    <message>
+        <source>Area %1 mm²</source>
+        <translation>Fläche %1 mm²</translation>
+    </message>
+    <message>
+        <source>Radius %1 mm</source>
+        <translation>Radius %1 mm</translation>
+    </message>
+    <message>
+        <source>Reading the structure in focus…</source>
+        <translation>Struktur im Fokus wird gelesen…</translation>
+    </message>
+    <message>
+        <source>No structure in focus here: no area</source>
+        <translation>Keine Struktur im Fokus hier: keine Fläche</translation>
     </message>
 </context>
 <context>

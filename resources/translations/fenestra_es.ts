@@ -474,6 +474,42 @@
         <source>copy and delete; change the text of a mark</source>
         <translation>copiar y eliminar; cambiar el texto de una marca</translation>
     </message>
+    <message>
+        <source>The path of the curved reformat, on the slices</source>
+        <translation>Trayecto del reformateo curvo, en los cortes</translation>
+    </message>
+    <message>
+        <source>Clicks, as it is being drawn</source>
+        <translation>Clics, mientras se dibuja</translation>
+    </message>
+    <message>
+        <source>add points; Enter or a double click ends it, Esc drops it</source>
+        <translation>añadir puntos; Intro o un doble clic lo termina, Esc lo descarta</translation>
+    </message>
+    <message>
+        <source>Backspace</source>
+        <translation>Retroceso</translation>
+    </message>
+    <message>
+        <source>take the last point away</source>
+        <translation>quitar el último punto</translation>
+    </message>
+    <message>
+        <source>The pictures of the curved reformat</source>
+        <translation>Imágenes del reformateo curvo</translation>
+    </message>
+    <message>
+        <source>crosshair to that place of the path</source>
+        <translation>cruz en ese punto del trayecto</translation>
+    </message>
+    <message>
+        <source>Wheel, arrows, Page, Home and End keys</source>
+        <translation>Rueda, flechas, teclas de página, Inicio y Fin</translation>
+    </message>
+    <message>
+        <source>move along the path</source>
+        <translation>avanzar por el trayecto</translation>
+    </message>
 </context>
 <context>
     <name>Fidelity</name>
@@ -949,6 +985,14 @@
     <message>
         <source>Ctrl+Shift+D</source>
         <translation>Ctrl+Shift+D</translation>
+    </message>
+    <message>
+        <source>Curved reformat</source>
+        <translation>Reformateo curvo</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+R</source>
+        <translation>Ctrl+Shift+R</translation>
     </message>
 </context>
 <context>
@@ -3853,6 +3897,18 @@ Coseno del ángulo con la más próxima de las seis</translation>
         <source>Change te&amp;xt…</source>
         <translation>Cambiar te&amp;xto…</translation>
     </message>
+    <message>
+        <source>Draw a &amp;path</source>
+        <translation>Dibujar un tra&amp;yecto</translation>
+    </message>
+    <message>
+        <source>S</source>
+        <translation>S</translation>
+    </message>
+    <message>
+        <source>Path along the &amp;focus</source>
+        <translation>Trayecto por el f&amp;oco</translation>
+    </message>
 </context>
 <context>
     <name>fenestra::viewer::AppearancePanel</name>
@@ -5363,6 +5419,13 @@ Vóxeles fuera de lo adquirido: %8</translation>
     </message>
 </context>
 <context>
+    <name>fenestra::viewer::PathMode</name>
+    <message>
+        <source>Draw a path</source>
+        <translation>Dibujar un trayecto</translation>
+    </message>
+</context>
+<context>
     <name>fenestra::viewer::PictureDialog</name>
     <message>
         <source>C%1</source>
@@ -5689,6 +5752,116 @@ Desactivado: primero la mejor vista, luego la mejor junto a ella</translation>
     <message>
         <source>Look</source>
         <translation>Aspecto</translation>
+    </message>
+</context>
+<context>
+    <name>fenestra::viewer::ReformatPanel</name>
+    <message>
+        <source>Dra&amp;w</source>
+        <translation>&amp;Dibujar</translation>
+    </message>
+    <message>
+        <source>Follow the f&amp;ocus</source>
+        <translation>Seguir el f&amp;oco</translation>
+    </message>
+    <message>
+        <source>De&amp;lete</source>
+        <translation>E&amp;liminar</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>°</source>
+        <translation>°</translation>
+    </message>
+    <message>
+        <source>Click points on the slices; Backspace takes the last away, Enter or a double click ends the path</source>
+        <translation>Haga clic en puntos de los cortes; Retroceso quita el último, Intro o un doble clic termina el trayecto</translation>
+    </message>
+    <message>
+        <source>Finds the centre line of the tubular structure in focus</source>
+        <translation>Busca la línea central de la estructura tubular en foco</translation>
+    </message>
+    <message>
+        <source>Deletes the path</source>
+        <translation>Elimina el trayecto</translation>
+    </message>
+    <message>
+        <source>Width of the pictures</source>
+        <translation>Anchura de las imágenes</translation>
+    </message>
+    <message>
+        <source>Turns the straightened picture about the path</source>
+        <translation>Gira la imagen enderezada alrededor del trayecto</translation>
+    </message>
+    <message>
+        <source>Straightened along the path</source>
+        <translation>Enderezada a lo largo del trayecto</translation>
+    </message>
+    <message>
+        <source>Across the path</source>
+        <translation>Transversal al trayecto</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>Anchura</translation>
+    </message>
+    <message>
+        <source>Turned by</source>
+        <translation>Girada</translation>
+    </message>
+    <message>
+        <source>Delete the path</source>
+        <translation>Eliminar el trayecto</translation>
+    </message>
+    <message>
+        <source>Bring a label or a region into focus first: a vessel, or another tube.</source>
+        <translation>Ponga primero en foco una etiqueta o una región: un vaso u otro tubo.</translation>
+    </message>
+    <message>
+        <source>Path along the focus</source>
+        <translation>Trayecto por el foco</translation>
+    </message>
+    <message>
+        <source>The structure in focus is no tube: it is hardly longer than thick. Draw a path instead.</source>
+        <translation>La estructura en foco no es un tubo: apenas es más larga que gruesa. Dibuje un trayecto.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n points; Enter ends the path</source>
+        <translation>
+            <numerusform>%n punto; Intro termina el trayecto</numerusform>
+            <numerusform>%n puntos; Intro termina el trayecto</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Finding the centre line…</source>
+        <translation>Buscando la línea central…</translation>
+    </message>
+    <message>
+        <source>Draw a path on the slices, or follow the vessel that is in focus.</source>
+        <translation>Dibuje un trayecto en los cortes, o siga el vaso que está en foco.</translation>
+    </message>
+    <message>
+        <source>At %1 of %2 mm</source>
+        <translation>En %1 de %2 mm</translation>
+    </message>
+    <message>
+        <source>Area %1 mm²</source>
+        <translation>Área %1 mm²</translation>
+    </message>
+    <message>
+        <source>Radius %1 mm</source>
+        <translation>Radio %1 mm</translation>
+    </message>
+    <message>
+        <source>Reading the structure in focus…</source>
+        <translation>Leyendo la estructura en foco…</translation>
+    </message>
+    <message>
+        <source>No structure in focus here: no area</source>
+        <translation>Aquí no hay estructura en foco: sin área</translation>
     </message>
 </context>
 <context>

@@ -474,6 +474,42 @@
         <source>copy and delete; change the text of a mark</source>
         <translation>copier et supprimer ; changer le texte d&apos;une marque</translation>
     </message>
+    <message>
+        <source>The path of the curved reformat, on the slices</source>
+        <translation>Trajet du reformatage courbe, sur les coupes</translation>
+    </message>
+    <message>
+        <source>Clicks, as it is being drawn</source>
+        <translation>Clics, pendant qu&apos;il est tracé</translation>
+    </message>
+    <message>
+        <source>add points; Enter or a double click ends it, Esc drops it</source>
+        <translation>ajouter des points&#xa0;; Entrée ou un double clic le termine, Échap l&apos;abandonne</translation>
+    </message>
+    <message>
+        <source>Backspace</source>
+        <translation>Retour arrière</translation>
+    </message>
+    <message>
+        <source>take the last point away</source>
+        <translation>retirer le dernier point</translation>
+    </message>
+    <message>
+        <source>The pictures of the curved reformat</source>
+        <translation>Images du reformatage courbe</translation>
+    </message>
+    <message>
+        <source>crosshair to that place of the path</source>
+        <translation>réticule à cet endroit du trajet</translation>
+    </message>
+    <message>
+        <source>Wheel, arrows, Page, Home and End keys</source>
+        <translation>Molette, flèches, touches de page, Début et Fin</translation>
+    </message>
+    <message>
+        <source>move along the path</source>
+        <translation>parcourir le trajet</translation>
+    </message>
 </context>
 <context>
     <name>Fidelity</name>
@@ -949,6 +985,14 @@
     <message>
         <source>Ctrl+Shift+D</source>
         <translation>Ctrl+Shift+D</translation>
+    </message>
+    <message>
+        <source>Curved reformat</source>
+        <translation>Reformatage courbe</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+R</source>
+        <translation>Ctrl+Shift+R</translation>
     </message>
 </context>
 <context>
@@ -3853,6 +3897,18 @@ Cosinus de l&apos;angle avec la plus proche des six</translation>
         <source>Change te&amp;xt…</source>
         <translation>Changer le te&amp;xte…</translation>
     </message>
+    <message>
+        <source>Draw a &amp;path</source>
+        <translation>Tracer un tra&amp;jet</translation>
+    </message>
+    <message>
+        <source>S</source>
+        <translation>S</translation>
+    </message>
+    <message>
+        <source>Path along the &amp;focus</source>
+        <translation>Trajet le l&amp;ong de la cible</translation>
+    </message>
 </context>
 <context>
     <name>fenestra::viewer::AppearancePanel</name>
@@ -5363,6 +5419,13 @@ Voxels hors de ce qui a été acquis&#xa0;: %8</translation>
     </message>
 </context>
 <context>
+    <name>fenestra::viewer::PathMode</name>
+    <message>
+        <source>Draw a path</source>
+        <translation>Tracer un trajet</translation>
+    </message>
+</context>
+<context>
     <name>fenestra::viewer::PictureDialog</name>
     <message>
         <source>C%1</source>
@@ -5689,6 +5752,116 @@ Sinon&#xa0;: d&apos;abord la meilleure vue, puis la meilleure à côté</transla
     <message>
         <source>Look</source>
         <translation>Apparence</translation>
+    </message>
+</context>
+<context>
+    <name>fenestra::viewer::ReformatPanel</name>
+    <message>
+        <source>Dra&amp;w</source>
+        <translation>&amp;Tracer</translation>
+    </message>
+    <message>
+        <source>Follow the f&amp;ocus</source>
+        <translation>Suivre la &amp;cible</translation>
+    </message>
+    <message>
+        <source>De&amp;lete</source>
+        <translation>&amp;Supprimer</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>°</source>
+        <translation>°</translation>
+    </message>
+    <message>
+        <source>Click points on the slices; Backspace takes the last away, Enter or a double click ends the path</source>
+        <translation>Cliquez des points sur les coupes&#xa0;; Retour arrière retire le dernier, Entrée ou un double clic termine le trajet</translation>
+    </message>
+    <message>
+        <source>Finds the centre line of the tubular structure in focus</source>
+        <translation>Trouve la ligne centrale de la structure tubulaire ciblée</translation>
+    </message>
+    <message>
+        <source>Deletes the path</source>
+        <translation>Supprime le trajet</translation>
+    </message>
+    <message>
+        <source>Width of the pictures</source>
+        <translation>Largeur des images</translation>
+    </message>
+    <message>
+        <source>Turns the straightened picture about the path</source>
+        <translation>Tourne l&apos;image redressée autour du trajet</translation>
+    </message>
+    <message>
+        <source>Straightened along the path</source>
+        <translation>Redressée le long du trajet</translation>
+    </message>
+    <message>
+        <source>Across the path</source>
+        <translation>En travers du trajet</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>Largeur</translation>
+    </message>
+    <message>
+        <source>Turned by</source>
+        <translation>Tournée de</translation>
+    </message>
+    <message>
+        <source>Delete the path</source>
+        <translation>Supprimer le trajet</translation>
+    </message>
+    <message>
+        <source>Bring a label or a region into focus first: a vessel, or another tube.</source>
+        <translation>Ciblez d&apos;abord une étiquette ou une région&#xa0;: un vaisseau ou un autre tube.</translation>
+    </message>
+    <message>
+        <source>Path along the focus</source>
+        <translation>Trajet le long de la cible</translation>
+    </message>
+    <message>
+        <source>The structure in focus is no tube: it is hardly longer than thick. Draw a path instead.</source>
+        <translation>La structure ciblée n&apos;est pas un tube&#xa0;: elle n&apos;est guère plus longue qu&apos;épaisse. Tracez plutôt un trajet.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n points; Enter ends the path</source>
+        <translation>
+            <numerusform>%n point&#x202f;; Entrée termine le trajet</numerusform>
+            <numerusform>%n points&#x202f;; Entrée termine le trajet</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Finding the centre line…</source>
+        <translation>Recherche de la ligne centrale…</translation>
+    </message>
+    <message>
+        <source>Draw a path on the slices, or follow the vessel that is in focus.</source>
+        <translation>Tracez un trajet sur les coupes, ou suivez le vaisseau ciblé.</translation>
+    </message>
+    <message>
+        <source>At %1 of %2 mm</source>
+        <translation>À %1 sur %2 mm</translation>
+    </message>
+    <message>
+        <source>Area %1 mm²</source>
+        <translation>Aire %1 mm²</translation>
+    </message>
+    <message>
+        <source>Radius %1 mm</source>
+        <translation>Rayon %1 mm</translation>
+    </message>
+    <message>
+        <source>Reading the structure in focus…</source>
+        <translation>Lecture de la structure ciblée…</translation>
+    </message>
+    <message>
+        <source>No structure in focus here: no area</source>
+        <translation>Pas de structure ciblée ici&#xa0;: pas d&apos;aire</translation>
     </message>
 </context>
 <context>

@@ -474,6 +474,42 @@
         <source>copy and delete; change the text of a mark</source>
         <translation>复制和删除；更改标记的文字</translation>
     </message>
+    <message>
+        <source>The path of the curved reformat, on the slices</source>
+        <translation>曲面重建的路径，在层面上</translation>
+    </message>
+    <message>
+        <source>Clicks, as it is being drawn</source>
+        <translation>绘制路径时单击</translation>
+    </message>
+    <message>
+        <source>add points; Enter or a double click ends it, Esc drops it</source>
+        <translation>添加点；回车或双击结束，Esc 放弃</translation>
+    </message>
+    <message>
+        <source>Backspace</source>
+        <translation>退格键</translation>
+    </message>
+    <message>
+        <source>take the last point away</source>
+        <translation>去掉最后一个点</translation>
+    </message>
+    <message>
+        <source>The pictures of the curved reformat</source>
+        <translation>曲面重建的图像</translation>
+    </message>
+    <message>
+        <source>crosshair to that place of the path</source>
+        <translation>十字线移到路径的该处</translation>
+    </message>
+    <message>
+        <source>Wheel, arrows, Page, Home and End keys</source>
+        <translation>滚轮、方向键、翻页键、Home 和 End</translation>
+    </message>
+    <message>
+        <source>move along the path</source>
+        <translation>沿路径移动</translation>
+    </message>
 </context>
 <context>
     <name>Fidelity</name>
@@ -949,6 +985,14 @@
     <message>
         <source>Ctrl+Shift+D</source>
         <translation>Ctrl+Shift+D</translation>
+    </message>
+    <message>
+        <source>Curved reformat</source>
+        <translation>曲面重建</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+R</source>
+        <translation>Ctrl+Shift+R</translation>
     </message>
 </context>
 <context>
@@ -3852,6 +3896,18 @@ Cosine of the angle to the nearest of the six</source>
         <source>Change te&amp;xt…</source>
         <translation>更改文字(&amp;X)…</translation>
     </message>
+    <message>
+        <source>Draw a &amp;path</source>
+        <translation>绘制路径(&amp;P)</translation>
+    </message>
+    <message>
+        <source>S</source>
+        <translation>S</translation>
+    </message>
+    <message>
+        <source>Path along the &amp;focus</source>
+        <translation>沿焦点的路径(&amp;F)</translation>
+    </message>
 </context>
 <context>
     <name>fenestra::viewer::AppearancePanel</name>
@@ -5360,6 +5416,13 @@ Voxels outside of what was scanned: %8</source>
     </message>
 </context>
 <context>
+    <name>fenestra::viewer::PathMode</name>
+    <message>
+        <source>Draw a path</source>
+        <translation>绘制路径</translation>
+    </message>
+</context>
+<context>
     <name>fenestra::viewer::PictureDialog</name>
     <message>
         <source>C%1</source>
@@ -5685,6 +5748,115 @@ Off: first the best view, then the best one beside it</source>
     <message>
         <source>Look</source>
         <translation>外观</translation>
+    </message>
+</context>
+<context>
+    <name>fenestra::viewer::ReformatPanel</name>
+    <message>
+        <source>Dra&amp;w</source>
+        <translation>绘制(&amp;W)</translation>
+    </message>
+    <message>
+        <source>Follow the f&amp;ocus</source>
+        <translation>跟随焦点(&amp;O)</translation>
+    </message>
+    <message>
+        <source>De&amp;lete</source>
+        <translation>删除(&amp;L)</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>°</source>
+        <translation>°</translation>
+    </message>
+    <message>
+        <source>Click points on the slices; Backspace takes the last away, Enter or a double click ends the path</source>
+        <translation>在层面上单击各点；退格键去掉最后一个，回车或双击结束路径</translation>
+    </message>
+    <message>
+        <source>Finds the centre line of the tubular structure in focus</source>
+        <translation>求焦点中管状结构的中心线</translation>
+    </message>
+    <message>
+        <source>Deletes the path</source>
+        <translation>删除路径</translation>
+    </message>
+    <message>
+        <source>Width of the pictures</source>
+        <translation>图像的宽度</translation>
+    </message>
+    <message>
+        <source>Turns the straightened picture about the path</source>
+        <translation>使拉直的图像绕路径旋转</translation>
+    </message>
+    <message>
+        <source>Straightened along the path</source>
+        <translation>沿路径拉直</translation>
+    </message>
+    <message>
+        <source>Across the path</source>
+        <translation>垂直于路径</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>宽度</translation>
+    </message>
+    <message>
+        <source>Turned by</source>
+        <translation>旋转</translation>
+    </message>
+    <message>
+        <source>Delete the path</source>
+        <translation>删除路径</translation>
+    </message>
+    <message>
+        <source>Bring a label or a region into focus first: a vessel, or another tube.</source>
+        <translation>请先将一个标签或区域设为焦点：血管或其他管状结构。</translation>
+    </message>
+    <message>
+        <source>Path along the focus</source>
+        <translation>沿焦点的路径</translation>
+    </message>
+    <message>
+        <source>The structure in focus is no tube: it is hardly longer than thick. Draw a path instead.</source>
+        <translation>焦点中的结构不是管状：长度与粗细相近。请改为绘制路径。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n points; Enter ends the path</source>
+        <translation>
+            <numerusform>%n 个点；回车结束路径</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Finding the centre line…</source>
+        <translation>正在求中心线…</translation>
+    </message>
+    <message>
+        <source>Draw a path on the slices, or follow the vessel that is in focus.</source>
+        <translation>在层面上绘制路径，或跟随焦点中的血管。</translation>
+    </message>
+    <message>
+        <source>At %1 of %2 mm</source>
+        <translation>位于 %1 / %2 mm</translation>
+    </message>
+    <message>
+        <source>Area %1 mm²</source>
+        <translation>面积 %1 mm²</translation>
+    </message>
+    <message>
+        <source>Radius %1 mm</source>
+        <translation>半径 %1 mm</translation>
+    </message>
+    <message>
+        <source>Reading the structure in focus…</source>
+        <translation>正在读取焦点中的结构…</translation>
+    </message>
+    <message>
+        <source>No structure in focus here: no area</source>
+        <translation>此处没有焦点结构：无面积</translation>
     </message>
 </context>
 <context>

@@ -90,6 +90,7 @@ class Conventions : public Window {
   void addArchiveGestures(Cases& cases);
   void addListGestures(Cases& cases);
   void addKeyImageGestures(Cases& cases);
+  void addReformatGestures(Cases& cases);
 };
 
 }  // namespace fenestra::viewer

@@ -452,6 +452,7 @@ TEST_F(Conventions, EveryGestureDoesWhatItSays) {
   addArchiveGestures(cases);
   addListGestures(cases);
   addKeyImageGestures(cases);
+  addReformatGestures(cases);
   run(cases, wanted);
 }
 

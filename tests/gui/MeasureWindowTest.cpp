@@ -326,7 +326,9 @@ TEST_F(MeasureWindow, ATextIsPlacedByAClickAndNothingWithoutWords) {
   question()->reject();
   EXPECT_EQ(document().measures().size(), 1u) << "cancelled";
   EXPECT_FALSE(measuring().draft());
+  QApplication::setActiveWindow(window_.get());  // the question was it
   QTest::keyClick(axial(), Qt::Key_Escape);
+  ASSERT_FALSE(measuring().kind());
   // Changed by the menu, and gone without words.
   measuring().select(0);
   auto* change = window_->findChild<QAction*>(QStringLiteral("changeMarkText"));
@@ -334,6 +336,12 @@ TEST_F(MeasureWindow, ATextIsPlacedByAClickAndNothingWithoutWords) {
   change->trigger();
   type(QStringLiteral("links"));
   EXPECT_EQ(document().measures()[0].text, "links");
+  // Grabbed by its words, right of its point, it moves as a whole.
+  const QPoint words = at({5, 5, z}) + QPoint(20, 0);
+  ASSERT_EQ(axial()->measureTool().measureAt(words), 0u);
+  drag(axial(), words, words + QPoint(0, 40));
+  EXPECT_GT(document().measures()[0].points[0].y, 6.0);
+  document().undoStack().undo();
   document().setMeasures({document().measures()[0]}, {});
   change->trigger();
   type({});

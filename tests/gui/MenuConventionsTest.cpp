@@ -229,8 +229,9 @@ void Conventions::addViewCases(Cases& cases) {
       planes().resetAll();
     };
   cases["F11"] = [this] { expectToggle("F11", [this] { return window_->isFullScreen(); }); };
-  for (const auto& [keys, dock] : {std::pair("Ctrl+T", "tagsDock"), std::pair("Ctrl+Shift+T", "labelTableDock"),
-                                   std::pair("Ctrl+Shift+D", "keyImagesDock")})
+  for (const auto& [keys, dock] :
+       {std::pair("Ctrl+T", "tagsDock"), std::pair("Ctrl+Shift+T", "labelTableDock"),
+        std::pair("Ctrl+Shift+D", "keyImagesDock"), std::pair("Ctrl+Shift+R", "reformatDock")})
     cases[keys] = [this, keys = keys, dock = dock] {
       const QWidget* shown = window_->findChild<QWidget*>(QLatin1String(dock));
       expectToggle(keys, [shown] { return shown->isVisible(); });
@@ -270,12 +271,9 @@ Conventions::Cases Conventions::menuCases() {
     dialog->close();
     QApplication::setActiveWindow(window_.get());
   };
-  const std::pair<const char*, MeasureKind> tools[] = {{"D", MeasureKind::Distance},
-                                                       {"A", MeasureKind::Angle},
-                                                       {"Q", MeasureKind::Ellipse},
-                                                       {"B", MeasureKind::Rectangle},
-                                                       {"Shift+D", MeasureKind::Arrow},
-                                                       {"Shift+T", MeasureKind::Text}};
+  const std::pair<const char*, MeasureKind> tools[] = {{"D", MeasureKind::Distance},    {"A", MeasureKind::Angle},
+                                                       {"Q", MeasureKind::Ellipse},     {"B", MeasureKind::Rectangle},
+                                                       {"Shift+D", MeasureKind::Arrow}, {"Shift+T", MeasureKind::Text}};
   for (const auto& tool : tools)
     cases[tool.first] = [this, tool] {
       waitUntilDrawn();  // Esc would stop what is under way first
@@ -284,6 +282,11 @@ Conventions::Cases Conventions::menuCases() {
       press("Esc");
       EXPECT_FALSE(measuring().kind());
     };
+  cases["S"] = [this] {
+    expectToggle("S", [this] { return window_->workspace().path.isDrawing(); });
+    window_->findChild<QWidget*>(QStringLiteral("reformatDock"))->hide();
+    waitUntilDrawn();
+  };
   cases["Ctrl+Shift+C"] = cases["Del"] = [this] {
     document().setMeasures({{MeasureKind::Distance, {{0, 0, 1}, {9, 0, 1}}, {1, 0, 0}, {0, 1, 0}}}, {});
     measuring().select(0);

@@ -112,6 +112,11 @@ std::map<std::string, SettingOwnersWindow::Probe> SettingOwnersWindow::probes() 
           document().setMeasures({Measure{.points = {glm::dvec3(0.0), glm::dvec3(5.0)}}}, QStringLiteral("Distance"));
         },
         [this] { return !document().measures().empty(); }}},
+      {"Path of the curved reformat",
+       {[this] {
+          document().setPath({glm::dvec3(0.0), glm::dvec3(9.0)}, QStringLiteral("Path"));
+        },
+        [this] { return !document().path().empty(); }}},
       {"Window and level, inverted greys",
        {[this] {
           document().setWindow({123.0, 45.0});

@@ -234,6 +234,19 @@ TEST_F(Window, TicksAndFilterWorkOnTheLabelList) {
   EXPECT_EQ(row.data(Qt::CheckStateRole).toInt(), Qt::Unchecked);
 }
 
+TEST_F(Window, TheFocusRingLeavesABoxToTickFree) {
+  const auto ring = [this] { return window_->findChild<QWidget*>(QStringLiteral("focusRing")); };
+  auto* box = panel<CutawayPanel>().findChild<QCheckBox*>();
+  QApplication::setActiveWindow(window_.get());
+  box->setFocus();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return ring() && ring()->isVisible(); }, patience));
+  const QRect at(ring()->mapToGlobal(QPoint(0, 0)), ring()->size());
+  constexpr int line = 2;  // device-independent pixels, the ring's width
+  EXPECT_TRUE(at.adjusted(line, line, -line, -line).contains(QRect(box->mapToGlobal(QPoint(0, 0)), box->size())));
+  box->clearFocus();
+  EXPECT_TRUE(QTest::qWaitFor([&] { return !ring(); }, patience));
+}
+
 TEST_F(Window, CrosshairGoesToAFocusThatIsChosenByNameOrOpened) {
   LabelList* list = panel<FocusPanel>().list();
   list->doubleClicked(list->model()->index(1, 0));

@@ -130,6 +130,7 @@ inline io::Session fullSession(const std::filesystem::path& folder) {
       {MeasureKind::Ellipse, {{10.0, 20.0, 30.0}, {11.0, 22.0, 30.0}}, {0.6, 0.8, 0}, {-0.8, 0.6, 0}},
       {MeasureKind::Arrow, {{1.0, 2.0, 3.0}, {4.0, 5.0, 3.0}}, {1, 0, 0}, {0, 1, 0}, "Läsion, \"?\""},
       {MeasureKind::Text, {{-1.0, 2.0, 3.0}}, {1, 0, 0}, {0, 1, 0}, "left"}};
+  session.path = {{1.0 / 3.0, -4.0, 5.0}, {2.0, 0.1, 9.0}, {3.0, 0.0, 20.0}};
   session.keyImages.resize(2);
   session.keyImages[0].name = "Stenosis, \"proximal\" é";
   session.keyImages[0].picture = "iVBORw0KGgo=";

@@ -245,6 +245,13 @@ TEST(CentreLine, OfWhatIsNoTubeIsEmpty) {
   EXPECT_TRUE(lineOf([](glm::ivec3) { return 0; }).empty());
   EXPECT_TRUE(lineOf([](glm::ivec3 i) { return i == glm::ivec3(4, 5, 6); }).empty());
   EXPECT_TRUE(lineOf([](glm::ivec3 i) { return glm::distance(glm::dvec3(i), glm::dvec3(10.0)) < 7.0; }).empty());
+  // A ball with a cube taken out of it is long for its depth, but its cross-sections' middles follow no line.
+  const Grid large = tests::gridOf({48, 48, 48});
+  const auto notched = labelsOf(large, [](glm::ivec3 i) {
+    const glm::dvec3 away = glm::abs(glm::dvec3(i) - glm::dvec3(32.0, 15.0, 32.0));
+    return glm::distance(glm::dvec3(i), glm::dvec3(23.5)) < 22.0 && std::max({away.x, away.y, away.z}) >= 3.5;
+  });
+  EXPECT_TRUE(centreLineOf(regionOf(*notched, values)).points.empty());
 }
 
 TEST(CentreLine, OfAStraightTubeThatLeavesTheVolume) {

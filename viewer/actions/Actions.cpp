@@ -113,7 +113,8 @@ void Actions::stop() {
     targets_.grower.cancel();
   else if (targets_.workspace.placement.isBusy())
     targets_.workspace.placement.cancel();
-  else if (!targets_.workspace.tool.putDown() && !targets_.workspace.measuring.stop() && !cine_.stop())
+  else if (!targets_.workspace.tool.putDown() && !targets_.workspace.path.stop() &&
+           !targets_.workspace.measuring.stop() && !cine_.stop())
     targets_.views.showAll();
 }
 

@@ -109,12 +109,14 @@ class Actions : public QObject {
   void addWindowPresets(QMenu& menu);
   void addOwnWindows(QMenu& menu);
   void makeMeasureMenu();
+  /// The path of the curved reformat.
+  void addPathEntries(QMenu& menu);
   void makeFocusMenu();
   void addRegionEntries(QMenu& menu);
   void makeHelpMenu();
   void fillRecentMenu();
   /// Does the first of these that applies: cancels reading, exporting, verifying, growing or placing; puts the active
-  /// tool down; ends measuring; stops playing; shows all views.
+  /// tool down; ends drawing a path, or measuring; stops playing; shows all views.
   void stop();
 
   Targets targets_;

@@ -1,6 +1,7 @@
 // What changes the study and how it is read: the menus Edit, Window/level, Measure and Focus.
 
 #include <QAction>
+#include <QDockWidget>
 #include <QMainWindow>
 #include <QMenuBar>
 
@@ -13,6 +14,7 @@
 #include "viewer/dialogs/WindowLevelDialog.h"
 #include "viewer/exports/PictureExports.h"
 #include "viewer/model/Workspace.h"
+#include "viewer/panels/ReformatPanel.h"
 #include "viewer/style/Style.h"
 
 namespace fenestra::viewer {
@@ -135,12 +137,39 @@ void Actions::makeMeasureMenu() {
   menu->addSeparator();
   menu->addActions({change, copy, remove, removeAll});
   menu->addSeparator();
+  addPathEntries(*menu);
+  menu->addSeparator();
   QAction* shown =
       toggle(tr("&Show measures"), {}, options.measures(), [&options](bool on) { options.setMeasures(on); });
   shown->setObjectName(QStringLiteral("showMeasures"));
   connect(&options, &ViewOptions::changed, shown, [&options, shown] { shown->setChecked(options.measures()); });
   menu->addAction(shown);
   tools_ << tools.first(4);  // marks are in the menu alone, so that the toolbar fits small screens
+}
+
+void Actions::addPathEntries(QMenu& menu) {
+  PathMode& path = targets_.workspace.path;
+  ViewOptions& options = targets_.workspace.options;
+  auto* dock = targets_.window.findChild<QDockWidget*>(QStringLiteral("reformatDock"));
+  const auto showDock = [dock] {
+    // As by its own entry, which also gives it the room that it needs.
+    if (!dock->isVisible()) dock->toggleViewAction()->trigger();
+    dock->raise();
+  };
+  QAction* draw = volumeAction(tr("Draw a &path"), QKeySequence(tr("S")), [&path, &options, showDock] {
+    options.setMeasures(true);  // or what is drawn would not show
+    showDock();
+    path.toggle();
+  });
+  draw->setCheckable(true);
+  connect(&path, &PathMode::changed, draw, [&path, draw] { draw->setChecked(path.isDrawing()); });
+  QAction* follow = volumeAction(tr("Path along the &focus"), {}, [this, &options, showDock] {
+    options.setMeasures(true);
+    showDock();
+    targets_.window.findChild<ReformatPanel*>()->followFocus();
+  });
+  follow->setObjectName(QStringLiteral("followFocus"));
+  menu.addActions({draw, follow});
 }
 
 void Actions::makeFocusMenu() {

@@ -43,6 +43,7 @@ void Document::close() {
 void Document::reportAll() {
   Q_EMIT volumeChanged();
   showMeasures(study_.session.measures);
+  showPath(study_.session.path);
   showKeyImages(study_.session.keyImages);
   Q_EMIT labelsChanged();
   Q_EMIT focusChanged();
@@ -296,6 +297,18 @@ void Document::setMeasures(std::vector<Measure> measures, const QString& name) {
   std::vector<Measure> before = measures_;
   showMeasures(std::move(measures));
   history_.push(name, std::make_shared<MeasuresChange>(parts(), std::move(before), measures_));
+}
+
+void Document::showPath(std::vector<glm::dvec3> path) {
+  if (path == path_) return;
+  path_ = std::move(path);
+  Q_EMIT pathChanged();
+}
+
+void Document::setPath(std::vector<glm::dvec3> path, const QString& name) {
+  std::vector<glm::dvec3> before = path_;
+  showPath(std::move(path));
+  history_.push(name, std::make_shared<PathChange>(parts(), std::move(before), path_));
 }
 
 void Document::showKeyImages(std::vector<io::KeyImage> images) {

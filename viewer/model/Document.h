@@ -167,6 +167,11 @@ class Document : public QObject, private DocumentParts {
   /// Sets them as one step, named as the Edit menu shows it.
   void setMeasures(std::vector<Measure> measures, const QString& name);
 
+  /// The points that the straightened picture follows (PathMode), LPS in mm, two or more; empty: none.
+  const std::vector<glm::dvec3>& path() const { return path_; }
+  /// Sets them as one step.
+  void setPath(std::vector<glm::dvec3> path, const QString& name);
+
   /// States of the window that the user keeps, in the user's order; see KeyImages.
   const std::vector<io::KeyImage>& keyImages() const { return keyImages_; }
   /// Sets them as one step.
@@ -196,6 +201,7 @@ class Document : public QObject, private DocumentParts {
   /// The removals carved out of the volume.
   void removalsChanged();
   void measuresChanged();
+  void pathChanged();
   void keyImagesChanged();
   /// After any of the above, strokes and measures excepted, that changes a 3-D picture.
   void sceneChanged();
@@ -214,6 +220,7 @@ class Document : public QObject, private DocumentParts {
   void show(Look look) override;
   void showLabels(std::shared_ptr<const LabelMap> labels, std::uint64_t revision, Focus focus) override;
   void showMeasures(std::vector<Measure> measures) override;
+  void showPath(std::vector<glm::dvec3> path) override;
   void showKeyImages(std::vector<io::KeyImage> images) override;
   /// Brings the scene that is drawn up to date with the one that is set. True: its focus is another.
   bool updateDrawn();
@@ -229,6 +236,7 @@ class Document : public QObject, private DocumentParts {
   bool inverted_ = false;
   std::vector<Measure> measures_;
   std::vector<MeasureValues> measured_;  ///< the values of each of measures_
+  std::vector<glm::dvec3> path_;
   std::vector<io::KeyImage> keyImages_;
   History history_;
 };

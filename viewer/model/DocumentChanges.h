@@ -69,6 +69,25 @@ class MeasuresChange : public Change {
   std::vector<Measure> before_, after_;
 };
 
+/// From one path of the straightened picture to another.
+class PathChange : public Change {
+ public:
+  PathChange(DocumentParts& parts, std::vector<glm::dvec3> before, std::vector<glm::dvec3> after)
+      : parts_(parts), before_(std::move(before)), after_(std::move(after)) {}
+
+  void undo() override { parts_.showPath(before_); }
+  void redo() override { parts_.showPath(after_); }
+  bool absorb(const Change&) override { return false; }
+  bool isNothing() const override { return before_ == after_; }
+  std::size_t bytes() const override {
+    return sizeof(*this) + (before_.capacity() + after_.capacity()) * sizeof(glm::dvec3);
+  }
+
+ private:
+  DocumentParts& parts_;
+  std::vector<glm::dvec3> before_, after_;
+};
+
 /// From one list of key images to another.
 class KeyImagesChange : public Change {
  public:

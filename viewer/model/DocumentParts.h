@@ -22,6 +22,7 @@ class DocumentParts {
   /// `revision`: the number of the labels' state.
   virtual void showLabels(std::shared_ptr<const LabelMap> labels, std::uint64_t revision, Focus focus) = 0;
   virtual void showMeasures(std::vector<Measure> measures) = 0;
+  virtual void showPath(std::vector<glm::dvec3> path) = 0;
   virtual void showKeyImages(std::vector<io::KeyImage> images) = 0;
 
  protected:

@@ -107,6 +107,7 @@ io::Session SessionController::session() const {
   session.crosshair = parts_.cursor.position();
   session.planes = parts_.planes.poses();
   session.measures = document.measures();
+  session.path = document.path();
   session.keyImages = document.keyImages();
   session.overlays = {parts_.options.crosshair(), parts_.options.text(), parts_.options.labels(),
                       parts_.options.measures(), parts_.options.planes()};

@@ -8,6 +8,7 @@
 #include "viewer/model/KeyImages.h"
 #include "viewer/model/LookLibrary.h"
 #include "viewer/model/MeasureMode.h"
+#include "viewer/model/PathMode.h"
 #include "viewer/model/PlacementController.h"
 #include "viewer/model/Preferences.h"
 #include "viewer/model/RegionBall.h"
@@ -35,6 +36,7 @@ struct Workspace {
   RegionBall ball;
   ActiveTool tool{{&brush, &carving, &selection}};
   MeasureMode measuring{document};
+  PathMode path{document, cursor, measuring, tool};
   Preferences preferences;
   LookLibrary looks{preferences.looksFolder()};
 };

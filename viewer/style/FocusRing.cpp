@@ -1,17 +1,19 @@
 #include "viewer/style/FocusRing.h"
 
 #include <QApplication>
+#include <QCheckBox>
 #include <QEvent>
 #include <QMenu>
 #include <QMenuBar>
 #include <QPainter>
+#include <QRadioButton>
 
 namespace fenestra::viewer {
 namespace {
 
 class Ring : public QWidget {
  public:
-  explicit Ring(QWidget* control) : QWidget(control) {
+  explicit Ring(QWidget* parent) : QWidget(parent) {
     setAttribute(Qt::WA_TransparentForMouseEvents);
     setFocusPolicy(Qt::NoFocus);
     setObjectName(QStringLiteral("focusRing"));
@@ -33,6 +35,18 @@ bool needsRing(const QWidget* control) {
          !qobject_cast<const QMenu*>(control) && !qobject_cast<const QMenuBar*>(control);
 }
 
+/// A box to tick reaches to the control's edge, so that a ring within would cover it: its ring lies around the control.
+bool ringIsAround(const QWidget* control) {
+  return (qobject_cast<const QCheckBox*>(control) || qobject_cast<const QRadioButton*>(control)) &&
+         control->parentWidget();
+}
+
+/// Where the ring lies, in its parent.
+QRect ringOf(const QWidget* control) {
+  constexpr int around = 3;  // device-independent pixels: the ring's width, and one that stays free
+  return ringIsAround(control) ? control->geometry().adjusted(-around, -around, around, around) : control->rect();
+}
+
 }  // namespace
 
 FocusRing::FocusRing(QObject* parent) : QObject(parent) {
@@ -43,21 +57,23 @@ FocusRing::~FocusRing() { delete ring_.data(); }
 
 void FocusRing::moveTo(QWidget* control) {
   if (ring_) {
-    ring_->parent()->removeEventFilter(this);
+    if (control_) control_->removeEventFilter(this);
     ring_->deleteLater();
     ring_->hide();
     ring_.clear();
   }
   if (!needsRing(control)) return;
-  ring_ = new Ring(control);
-  ring_->setGeometry(control->rect());
+  control_ = control;
+  ring_ = new Ring(ringIsAround(control) ? control->parentWidget() : control);
+  ring_->setGeometry(ringOf(control));
   ring_->show();
+  ring_->raise();
   control->installEventFilter(this);
 }
 
 bool FocusRing::eventFilter(QObject* watched, QEvent* event) {
-  if (ring_ && watched == ring_->parent() && event->type() == QEvent::Resize)
-    ring_->setGeometry(static_cast<QWidget*>(watched)->rect());
+  if (ring_ && watched == control_ && (event->type() == QEvent::Resize || event->type() == QEvent::Move))
+    ring_->setGeometry(ringOf(control_));
   return QObject::eventFilter(watched, event);
 }
 

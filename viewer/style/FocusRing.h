@@ -21,7 +21,10 @@ class FocusRing : public QObject {
  private:
   void moveTo(QWidget* control);
 
-  QPointer<QWidget> ring_;  ///< a child of the control, so that it moves, scrolls and is clipped with it
+  QPointer<QWidget> control_;  ///< that has the ring
+  /// A child of the control, so that it moves, scrolls and is clipped with it; a child of its parent where it lies
+  /// around the control.
+  QPointer<QWidget> ring_;
 };
 
 }  // namespace fenestra::viewer

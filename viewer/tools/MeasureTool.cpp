@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include <QFontMetricsF>
+#include <QGuiApplication>
 #include <QLineF>
 #include <QMouseEvent>
 
@@ -24,6 +26,15 @@ double distanceTo(const QLineF& line, QPointF point) {
   const double square = QPointF::dotProduct(along, along);
   const double share = square > 0.0 ? std::clamp(QPointF::dotProduct(from, along) / square, 0.0, 1.0) : 0.0;
   return QLineF(point, line.p1() + share * along).length();
+}
+
+/// Where a measure's lines stand, as drawMeasure() draws them in a view; empty without any.
+QRectF textBoxIn(const ShownMeasure& measure, const QRectF& view) {
+  const QFontMetricsF metrics(QGuiApplication::font());
+  QSizeF size;
+  for (const QString& each : measure.lines)
+    size = {std::max(size.width(), metrics.horizontalAdvance(each)), size.height() + metrics.height()};
+  return measure.lines.isEmpty() ? QRectF() : textBoxOf(measure, size, view);
 }
 
 }  // namespace
@@ -47,11 +58,14 @@ std::optional<ShownMeasure> MeasureTool::shown(const Measure& measure, const Mea
 std::optional<MeasureTool::Grip> MeasureTool::gripAt(QPointF position) const {
   std::optional<Grip> line;
   for (std::size_t index = document_.measures().size(); index-- > 0;) {
-    const std::optional<ShownMeasure> measure = shown(document_.measures()[index], {});
+    const std::optional<ShownMeasure> measure = shown(document_.measures()[index], document_.measured(index));
     if (!measure) continue;
     for (qsizetype handle = 0; handle < measure->handles.size(); ++handle)
       if (QLineF(measure->handles[handle], position).length() <= measureReach)
         return Grip{index, static_cast<std::size_t>(handle)};
+    // A mark is grabbed by its text, too. Not while something is drawn, which may begin there.
+    if (isMark(measure->kind) && !mode_.kind() && !line && textBoxIn(*measure, canvas_.view()).contains(position))
+      line = Grip{index, {}};
     const QPolygonF outline = outlineOf(*measure);
     for (qsizetype corner = 1; corner < outline.size() && !line; ++corner)
       if (distanceTo({outline[corner - 1], outline[corner]}, position) <= lineReach) line = Grip{index, {}};

@@ -50,9 +50,11 @@ SliceView::SliceView(SlicePlane plane, Workspace& workspace, OpeningEdge& openin
       toleranceWheel_(document_),
       clipTool_(document_, options_, workspace.tool, *canvas_),
       ballTool_(workspace, *canvas_),
+      pathTool_(workspace.path, options_, *canvas_),
       measureTool_(workspace.measuring, document_, options_, *canvas_),
       planeTool_(workspace, *canvas_),
-      tools_({&carveTool_, &selectionTool_, &toleranceWheel_, &clipTool_, &measureTool_, &planeTool_, &ballTool_}) {
+      tools_({&carveTool_, &selectionTool_, &toleranceWheel_, &clipTool_, &pathTool_, &measureTool_, &planeTool_,
+              &ballTool_}) {
   geometry_.plane = plane;
   setMouseTracking(true);
   setFocusPolicy(Qt::StrongFocus);
@@ -62,9 +64,8 @@ SliceView::SliceView(SlicePlane plane, Workspace& workspace, OpeningEdge& openin
   setObjectName(QStringLiteral("slice%1").arg(static_cast<int>(plane)));
 
   connect(&document_, &Document::volumeChanged, this, &SliceView::showVolume);
-  connect(&document_, &Document::windowChanged, this, &SliceView::invalidate);
-  connect(&document_, &Document::focusChanged, this, &SliceView::invalidate);
-  connect(&document_, &Document::labelSettingsChanged, this, &SliceView::invalidate);
+  for (const auto signal : {&Document::windowChanged, &Document::focusChanged, &Document::labelSettingsChanged})
+    connect(&document_, signal, this, &SliceView::invalidate);
   connect(&document_, &Document::labelsChanged, this, [this] {
     labels_.clear();
     invalidate();
@@ -75,12 +76,9 @@ SliceView::SliceView(SlicePlane plane, Workspace& workspace, OpeningEdge& openin
     // Another plane's cut shows as a line here.
     changed == geometry_.plane ? followPlane() : update();
   });
-  connect(&document_, &Document::measuresChanged, this, [this] { update(); });
-  connect(&document_, &Document::clippingChanged, this, [this] { update(); });
-  connect(&document_, &Document::removalsChanged, this, [this] {
-    removedOutline_.reset();
-    update();
-  });
+  connect(&document_, &Document::removalsChanged, this, [this] { removedOutline_.reset(); });
+  for (const auto signal : {&Document::measuresChanged, &Document::clippingChanged, &Document::removalsChanged})
+    connect(&document_, signal, this, [this] { update(); });
   connect(&opening, &OpeningEdge::changed, this, [this] {
     openingOutline_.reset();
     update();
@@ -93,6 +91,8 @@ SliceView::SliceView(SlicePlane plane, Workspace& workspace, OpeningEdge& openin
   };
   connect(&workspace.tool, &ActiveTool::changed, this, showTools);
   connect(&workspace.measuring, &MeasureMode::changed, this, showTools);
+  connect(&workspace.path, &PathMode::changed, this, showTools);
+  connect(&workspace.path, &PathMode::moved, this, [this] { update(); });
   connect(&workspace.ball, &RegionBall::changed, this, [this] { update(); });
   readGeometry();
 }

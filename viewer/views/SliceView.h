@@ -4,7 +4,7 @@
 //
 // Left click: crosshair and focus, see clickStructure(); left drag: window/level, unless a tool takes it; middle: pan;
 // right drag or Ctrl+wheel: zoom; wheel and arrows: slices; Shift+wheel: slab; Shift+move: crosshair. The tools:
-// CarveTool, SelectionTool, ToleranceWheel, ClipTool, MeasureTool, PlaneTool, RegionBallTool.
+// CarveTool, SelectionTool, ToleranceWheel, ClipTool, PathTool, MeasureTool, PlaneTool, RegionBallTool.
 
 #include <memory>
 #include <optional>
@@ -24,6 +24,7 @@
 #include "viewer/tools/CarveTool.h"
 #include "viewer/tools/ClipTool.h"
 #include "viewer/tools/MeasureTool.h"
+#include "viewer/tools/PathTool.h"
 #include "viewer/tools/PlaneTool.h"
 #include "viewer/tools/RegionBallTool.h"
 #include "viewer/tools/SelectionTool.h"
@@ -233,6 +234,7 @@ class SliceView : public QWidget {
   ToleranceWheel toleranceWheel_;
   ClipTool clipTool_;
   RegionBallTool ballTool_;
+  PathTool pathTool_;
   MeasureTool measureTool_;
   PlaneTool planeTool_;
   ViewTools tools_;

@@ -133,6 +133,7 @@ void SliceView::wheelEvent(QWheelEvent* event) {
 }
 
 void SliceView::keyPressEvent(QKeyEvent* event) {
+  if (tools_.key(*event)) return;
   int steps = 0;
   switch (event->key()) {
     case Qt::Key_Up:

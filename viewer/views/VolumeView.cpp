@@ -58,8 +58,9 @@ VolumeView::VolumeView(int index, Workspace& workspace, Shared shared, QWidget* 
       wallTool_(document_, cursor_, options_, active_, *canvas_),
       planeTool_(workspace, *canvas_),
       ballTool_(workspace, *canvas_),
+      pathTool_(workspace.path, options_, *canvas_),
       tools_({&brushTool_, &carveTool_, &selectionTool_, &toleranceWheel_, &clipTool_, &wallTool_, &planeTool_,
-              &ballTool_}),
+              &ballTool_, &pathTool_}),
       shared_(std::move(shared)),
       surface_(
           PictureSurface::make(shared_.software, *this, {.paint = [this] { paint(); }, .shown = [this] { shown(); }})) {
@@ -74,6 +75,8 @@ VolumeView::VolumeView(int index, Workspace& workspace, Shared shared, QWidget* 
   connect(&rest_, &QTimer::timeout, this, &VolumeView::settle);
   connect(&refining_, &QTimer::timeout, this, &VolumeView::refine);
   connect(&workspace.ball, &RegionBall::changed, this, &VolumeView::repaintSurface);
+  connect(&workspace.path, &PathMode::changed, this, &VolumeView::repaintSurface);
+  connect(&workspace.path, &PathMode::moved, this, &VolumeView::repaintSurface);
   connect(&workspace.planes, &SlicePlanes::changed, this, [this] {
     if (options_.planes()) repaintSurface();
   });

@@ -34,6 +34,7 @@
 #include "viewer/tools/BrushTool.h"
 #include "viewer/tools/CarveTool.h"
 #include "viewer/tools/ClipTool.h"
+#include "viewer/tools/PathTool.h"
 #include "viewer/tools/PlaneBallTool.h"
 #include "viewer/tools/RegionBallTool.h"
 #include "viewer/tools/SelectionTool.h"
@@ -280,6 +281,7 @@ class VolumeView : public QWidget {
   WallTool wallTool_;
   PlaneBallTool planeTool_;
   RegionBallTool ballTool_;
+  PathTool pathTool_;
   ViewTools tools_;
   std::vector<std::unique_ptr<QMouseEvent>> waiting_;  ///< events of strokes, see keepsForLater()
   Shared shared_;
