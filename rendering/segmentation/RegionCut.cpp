@@ -113,9 +113,8 @@ class CutCells {
   bool holds(glm::ivec3 voxel) const { return whole_.contains(voxel) && joins_[whole_.offset(voxel)] < step_; }
   std::uint32_t numberOf(glm::ivec3 voxel) const { return numbers_[cellOf(voxel)]; }
   std::uint32_t count() const { return static_cast<std::uint32_t>(held_.size()); }
-  double volume() const {
-    return std::accumulate(held_.begin(), held_.end(), 0.0) * volume_.grid.voxelVolume();
-  }                                                                                                   ///< mm³
+  /// mm³
+  double volume() const { return std::accumulate(held_.begin(), held_.end(), 0.0) * volume_.grid.voxelVolume(); }
   double volumeOf(std::uint32_t number) const { return held_[number] * volume_.grid.voxelVolume(); }  ///< mm³
 
   template <class Visit>
