@@ -95,8 +95,8 @@ void writeDicom(const std::filesystem::path& path, const DicomSpec& spec) {
     OFLog::configure(OFLogger::OFF_LOG_LEVEL);
     DcmRLEEncoderRegistration::registerCodecs();
     DJEncoderRegistration::registerCodecs();
-    // Frames are encoded as they are stored: DCMTK 3.6.7's encoder of "cooked" frames writes its padding byte past the end of
-    // the frame (DCMTK pull request 111, "Properly pass the compressed buffer to fixPaddingIfNecessary").
+    // Frames are encoded as they are stored: DCMTK 3.6.7's encoder of "cooked" frames writes its padding byte past the
+    // end of the frame (DCMTK pull request 111, "Properly pass the compressed buffer to fixPaddingIfNecessary").
     constexpr Uint16 standard = 0;
     DJLSEncoderRegistration::registerCodecs(standard, standard, standard, standard, OFFalse);
   });
