@@ -24,9 +24,9 @@ struct Retrieval {
   std::string study;   ///< Study Instance UID
   std::string series;  ///< Series Instance UID; empty: all of the study
   Way way = Way::Get;
-  /// For whom the objects are shown while others come: the middle of a series is asked for first, then what halves the
-  /// gaps, as far as the protocol lets us choose (DICOMweb for every object, DICOM's own protocol for the first one).
-  /// Objects that an earlier retrieval left are told of, too, where some are still missing.
+  /// Called for each object that comes, and for those that an earlier retrieval left of a series that is not whole.
+  /// Given, it sets the order: the middle object of a series is asked for first. DICOMweb then asks for the middle of
+  /// each gap; DICOM's own protocol asks for the rest at once.
   Arrival arrived = {};
 };
 

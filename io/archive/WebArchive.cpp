@@ -231,7 +231,7 @@ class WebTransfer {
   const Cache& cache_;
   Http& http_;
   Task& task_;
-  const bool choosesOrder_;  ///< for whom objects are shown while others come
+  const bool choosesOrder_;  ///< somebody is told of each object, so the middle of each gap is asked for next
   Intake intake_;
   fs::path file_;
   std::ofstream stream_;

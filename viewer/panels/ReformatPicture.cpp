@@ -1,6 +1,5 @@
 #include "viewer/panels/ReformatPicture.h"
 
-#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -11,6 +10,7 @@
 
 #include "rendering/volume/Slice.h"
 #include "viewer/model/Document.h"
+#include "viewer/model/WindowDrag.h"
 
 namespace fenestra::viewer {
 namespace {
@@ -88,8 +88,7 @@ void ReformatPicture::choose(QPointF position) {
 
 void ReformatPicture::mousePressEvent(QMouseEvent* event) {
   pressed_ = event->position();
-  pressedWidth_ = document_.window().width;
-  pressedLevel_ = document_.window().level;
+  windowAtPress_ = document_.window();
   dragging_ = event->button() != Qt::LeftButton;
 }
 
@@ -100,11 +99,7 @@ void ReformatPicture::mouseMoveEvent(QMouseEvent* event) {
   const QPointF total = event->position() - pressed_;
   if (!dragging_ && std::hypot(total.x(), total.y()) <= reformatClickSlack) return;
   dragging_ = true;
-  // As on a slice: 250 pixels double the width.
-  const ValueRange range = document_.scene().volume->range;
-  const double all = range.high - range.low, perPixel = std::max(pressedWidth_, 0.02 * all) / 250.0;
-  document_.setWindow({std::max(pressedWidth_ + total.x() * perPixel, std::max(1e-4 * all, 1e-9)),
-                       pressedLevel_ + total.y() * perPixel});
+  document_.setWindow(draggedWindow(windowAtPress_, total, document_.scene().volume->range));
 }
 
 void ReformatPicture::mouseReleaseEvent(QMouseEvent* event) {

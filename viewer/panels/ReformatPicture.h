@@ -11,6 +11,8 @@
 #include <QImage>
 #include <QWidget>
 
+#include "rendering/volume/Volume.h"
+
 namespace fenestra::viewer {
 
 class Document;
@@ -61,7 +63,7 @@ class ReformatPicture : public QWidget {
   std::optional<double> line_;
   QImage image_;  ///< null until it is made
   QPointF pressed_;
-  double pressedWidth_ = 1.0, pressedLevel_ = 0.0;
+  WindowLevel windowAtPress_;
   bool dragging_ = false;
   double wheel_ = 0.0;  ///< eighths of a degree that are not yet a notch
 };

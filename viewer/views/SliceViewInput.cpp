@@ -11,6 +11,7 @@
 #include "viewer/model/SlicePlanes.h"
 #include "viewer/model/StructureClick.h"
 #include "viewer/model/ViewOptions.h"
+#include "viewer/model/WindowDrag.h"
 #include "viewer/tools/Canvas.h"
 #include "viewer/tools/Tool.h"
 #include "viewer/views/SliceView.h"
@@ -48,12 +49,7 @@ void SliceView::mouseMoveEvent(QMouseEvent* event) {
   if (!dragging_ && std::hypot(total.x(), total.y()) <= clickSlack) return;
   dragging_ = true;
   if (buttons & Qt::LeftButton) {
-    // A drag over 250 pixels doubles the width. A very narrow window changes faster, so that it can be widened at all.
-    const ValueRange range = document_.scene().volume->range;
-    const double perPixel = std::max(windowAtPress_.width, 0.02 * (range.high - range.low)) / 250.0;
-    const double least = std::max(1e-4 * (range.high - range.low), 1e-9);
-    document_.setWindow(
-        {std::max(windowAtPress_.width + total.x() * perPixel, least), windowAtPress_.level + total.y() * perPixel});
+    document_.setWindow(draggedWindow(windowAtPress_, total, document_.scene().volume->range));
   } else if (buttons & Qt::MiddleButton) {
     centre_ -= mmOfMove(move);
     update();
