@@ -44,8 +44,10 @@ class MainWindow : public QMainWindow {
  public:
   struct Setup {
     GlSupport gl;
-    std::optional<Effort> atRest = {};   ///< how 3-D views are drawn at rest; unset: as remembered
-    Focus expected = {};                 ///< the kind of focus that the first study is likely to have
+    std::optional<Effort> atRest = {};  ///< how 3-D views are drawn at rest; unset: as remembered
+    /// The kind of focus that the first study is likely to have: programs are compiled before it is there. Unset: a
+    /// study compiles what it needs, and nothing is done without one.
+    std::optional<Focus> expected = {};
     ChooseSchedule chooseSchedule = {};  ///< unset: the renderer's name decides
     bool remember = true;                ///< restore and save layout, recent files and `atRest`
   };

@@ -105,29 +105,26 @@ class SourcesAlone {
   inline static PFNGLSHADERSOURCEPROC real = nullptr;
 };
 
-/// A kind's properties, which its name lists, by twos.
-std::set<std::string> pairsOf(const SceneKind& kind) {
-  std::vector<std::string> properties;
+/// A kind's properties, which its name lists.
+std::set<std::string> propertiesOf(const SceneKind& kind) {
+  std::set<std::string> properties;
   std::istringstream name(kind.name);
-  for (std::string property; std::getline(name, property, ',');) properties.push_back(property);
-  std::set<std::string> pairs;
-  for (std::size_t i = 0; i < properties.size(); ++i)
-    for (std::size_t k = 0; k < i; ++k)
-      pairs.insert(std::min(properties[i], properties[k]) + " and" + std::max(properties[i], properties[k]));
-  return pairs;
+  for (std::string property; std::getline(name >> std::ws, property, ',');) properties.insert(property);
+  return properties;
 }
 
-std::vector<bool> coveringPairs(const std::vector<SceneKind>& kinds) {
-  std::vector<std::set<std::string>> left;  // pairs that no chosen kind has
-  for (const SceneKind& kind : kinds) left.push_back(pairsOf(kind));
+/// Marks the kind that has most of the properties that no marked one has, until each property is there.
+std::vector<bool> coveringProperties(const std::vector<SceneKind>& kinds) {
+  std::vector<std::set<std::string>> left;  // properties that no chosen kind has
+  for (const SceneKind& kind : kinds) left.push_back(propertiesOf(kind));
   std::vector<bool> chosen(kinds.size());
   while (true) {
     const auto best = std::ranges::max_element(left, {}, &std::set<std::string>::size);
     if (best->empty()) return chosen;
     chosen[static_cast<std::size_t>(best - left.begin())] = true;
     const std::set<std::string> covered = *best;
-    for (std::set<std::string>& pairs : left)
-      std::erase_if(pairs, [&](const std::string& pair) { return covered.contains(pair); });
+    for (std::set<std::string>& properties : left)
+      std::erase_if(properties, [&](const std::string& property) { return covered.contains(property); });
   }
 }
 
@@ -168,7 +165,7 @@ DrawnKinds drawKinds(Chosen chosen) {
   });
   const std::vector<SceneKind> kinds = allSceneKinds();
   const std::vector<bool> isDrawn =
-      chosen == Chosen::All ? std::vector<bool>(kinds.size(), true) : coveringPairs(kinds);
+      chosen == Chosen::All ? std::vector<bool>(kinds.size(), true) : coveringProperties(kinds);
   std::array<std::vector<Picture>, bothSchedules.size()> pictures;
   for (std::size_t i = 0; i < bothSchedules.size(); ++i) {
     for (const Focus& focus : {Focus(LabelFocus{{1}}), Focus(ValueFocus{{95.0, 1000.0}, 0.0})}) {

@@ -31,11 +31,11 @@ struct DrawnKinds {
   std::vector<std::string> scheduleFaults;  ///< where the schedules' pictures differ
 };
 
-/// Which kinds are drawn. Of the programs of the others only the sources are told, which the reference compiler reads: a
-/// driver takes longer for a program than these small pictures do.
+/// Which kinds are drawn. Of the programs of the others only the sources are told, which the reference compiler reads:
+/// a driver takes longer for a program than these small pictures do.
 enum class Chosen {
-  /// So many that each two properties that a kind has together are drawn together: one of some five.
-  CoveringPairs,
+  /// So many that each property is drawn; what several have together, tests of the passes and methods draw.
+  CoveringProperties,
   All
 };
 

@@ -22,7 +22,7 @@ namespace fs = std::filesystem;
 class ProgramsTest : public GlTest {
  protected:
   static const DrawnKinds& drawn() {
-    static const DrawnKinds all = drawKinds(Chosen::CoveringPairs);
+    static const DrawnKinds all = drawKinds(Chosen::CoveringProperties);
     return all;
   }
   static const Programs& programs() { return drawn().programs; }
@@ -258,7 +258,7 @@ void expectNoFaults(const DrawnKinds& drawn) {
   for (const std::string& fault : drawn.scheduleFaults) ADD_FAILURE() << "schedules: " << fault;
 }
 
-TEST_F(ProgramsTest, TilesAndSchedulesDrawTheSamePictureForEachTwoPropertiesOfAScene) {
+TEST_F(ProgramsTest, TilesAndSchedulesDrawTheSamePictureForEachPropertyOfAScene) {
   expectNoFaults(drawn());
   EXPECT_GE(drawn().drawn, 50u);
   EXPECT_LT(drawn().drawn, drawn().kinds);
