@@ -14,8 +14,8 @@
 #include <dcmtk/dcmnet/assoc.h>
 #include <dcmtk/dcmnet/dimse.h>
 
+#include "io/archive/Arrival.h"
 #include "io/archive/Cache.h"
-#include "io/archive/Retrieve.h"
 #include "io/archive/Server.h"
 #include "io/archive/Wanted.h"
 #include "io/archive/Watch.h"

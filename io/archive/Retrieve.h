@@ -4,10 +4,10 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <functional>
 #include <string>
 #include <vector>
 
+#include "io/archive/Arrival.h"
 #include "io/archive/Cache.h"
 #include "io/archive/Refusals.h"
 #include "io/archive/Server.h"
@@ -19,16 +19,6 @@ enum class Way : std::uint8_t {
   Get,  ///< over the connection that we open
   Move  ///< over one that the server opens to Server::interface and ownPort
 };
-
-/// An object that is here, while others of its series may still be missing.
-struct ArrivedObject {
-  std::string series;          ///< Series Instance UID
-  std::filesystem::path file;  ///< once the series is whole, at the same name in the folder without ".part"
-  int number = 0;              ///< Instance Number (PS3.3 C.7.6.1); 0 where the server tells none
-  std::size_t total = 0;       ///< objects of the series
-};
-/// Called for one object after the other, on the threads that receive them; returns at once.
-using Arrival = std::function<void(const ArrivedObject&)>;
 
 struct Retrieval {
   std::string study;   ///< Study Instance UID

@@ -175,6 +175,22 @@ std::vector<std::string> codecSeeds() {
           std::string("\x05\x00\x5a\x10\x27", 5)};
 }
 
+/// Answers to a search, with a name in two writings, and to objects that were sent (PS3.18 annex F, 10.5.3).
+std::vector<std::string> webJsonSeeds() {
+  return {R"([{"00100010": {"vr": "PN", "Value": [{"Alphabetic": "Yamada^Tarou", "Ideographic": "山田^太郎"}]},
+               "00080061": {"vr": "CS", "Value": ["CT", "MR"]}, "00201208": {"vr": "IS", "Value": [12]}}])",
+          R"({"00081199": {"vr": "SQ", "Value": [{"00081150": {"vr": "UI", "Value": ["1.2"]}}]}})",
+          R"({"00081198": {"vr": "SQ", "Value": [{"00081197": {"vr": "US", "Value": [272]}}]}})", "[]"};
+}
+
+/// Two parts, whole and in pieces of three bytes.
+std::vector<std::string> webMultipartSeeds() {
+  const std::string type = "multipart/related; type=\"application/dicom\"; boundary=\"b-1\"\n",
+                    message =
+                        "--b-1\r\nContent-Type: application/dicom\r\n\r\nDICM\r\n--b\r\n--b-1\r\n\r\n\r\n--b-1--\r\n";
+  return {"\xff" + type + message, "\x02" + type + message};
+}
+
 }  // namespace
 
 std::vector<std::string> seedsOf(const Target& target) {
@@ -191,6 +207,8 @@ std::vector<std::string> seedsOf(const Target& target) {
   if (target.name == "tiff") return tiffSeeds(folder);
   if (target.name == "archive") return {zipSeed(nrrdSeeds(folder).front())};
   if (target.name == "labels") return labelSeeds(folder);
+  if (target.name == "web-json") return webJsonSeeds();
+  if (target.name == "web-multipart") return webMultipartSeeds();
   if (target.name == "session") return {io::textOf(tests::fullSession(folder), folder / "a.fenestra")};
   if (target.name == "look") {
     io::writeLook(folder / "a.json", {"x",

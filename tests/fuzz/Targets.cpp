@@ -7,11 +7,14 @@
 #include <cstdio>
 #include <cstdlib>
 #include <stdexcept>
+#include <utility>
 
 #include "io/LabelReader.h"
 #include "io/LabelTable.h"
 #include "io/TransferFunctionFile.h"
 #include "io/VolumeReader.h"
+#include "io/archive/Multipart.h"
+#include "io/archive/WebAnswers.h"
 #include "io/deidentify/Deidentify.h"
 #include "io/dicom/ByteCodecs.h"
 #include "io/dicom/CodecError.h"
@@ -108,6 +111,37 @@ void openTransferFunction(const fs::path& file) {
   io::loadContextFunction(file.string(), volume);
 }
 
+/// What a server of DICOMweb answers to a search, and to objects that were sent.
+void readWebJson(const fs::path& file) {
+  const std::string text = tests::readFile(file);
+  io::archive::attributesInJson(text);
+  io::archive::storeAnswerIn(text);
+}
+
+/// The parts of a message that comes in pieces of `size` bytes, those that came whole alone.
+std::vector<std::string> partsOf(std::string_view message, const std::string& boundary, std::size_t size) {
+  std::vector<std::string> parts;
+  std::string part;
+  io::archive::Multipart reader(boundary, {[&] { part.clear(); }, [&](std::string_view bytes) { part += bytes; },
+                                           [&] { parts.push_back(std::exchange(part, {})); }});
+  while (!message.empty() && reader.push(message.substr(0, size)))
+    message.remove_prefix(std::min(size, message.size()));
+  return parts;
+}
+
+/// The first byte is the size of the pieces, the first line behind it the type, and the rest the message. Its parts are
+/// the same in whatever pieces it comes.
+void readWebMultipart(const fs::path& file) {
+  const std::string input = tests::readFile(file);
+  if (input.empty()) return;
+  const std::size_t end = std::min(input.find('\n'), input.size() - 1);
+  const std::string type = end > 0 ? input.substr(1, end - 1) : "", message = input.substr(end + 1);
+  const std::string boundary = io::archive::boundaryIn(type).value_or("b");
+  const std::size_t size = static_cast<unsigned char>(input[0]) + 1u;
+  if (partsOf(message, boundary, size) != partsOf(message, boundary, input.size()))
+    throw std::logic_error("a message has other parts when it comes in pieces");
+}
+
 constexpr std::array all{Target{"dicom", "input.dcm", openAsVolume},
                          Target{"dicom-series", "input.pack", openDicomSeries},
                          Target{"deidentify", "input.dcm", deidentify},
@@ -125,7 +159,9 @@ constexpr std::array all{Target{"dicom", "input.dcm", openAsVolume},
                          Target{"session", "input.fenestra", openSession},
                          Target{"look", "input.json", openLook},
                          Target{"strokes", "input.json", openStrokes},
-                         Target{"transfer-function", "input.json", openTransferFunction}};
+                         Target{"transfer-function", "input.json", openTransferFunction},
+                         Target{"web-json", "input.json", readWebJson},
+                         Target{"web-multipart", "input.bytes", readWebMultipart}};
 
 /// In memory where the machine has such a folder: a fuzzer writes thousands of files a second.
 class PrivateFolder {
