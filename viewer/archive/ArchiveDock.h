@@ -16,6 +16,7 @@ class QMainWindow;
 namespace fenestra::viewer {
 
 class ArchivePanel;
+class ArrivalView;
 class Retrievals;
 class SendDialog;
 struct Workspace;
@@ -36,6 +37,8 @@ class ArchiveDock : public QDockWidget {
   ArchivePanel& panel();
   /// Null before the dock was opened.
   ArchivePanel* panelIfMade() { return panel_; }
+  /// Null before something was retrieved.
+  ArrivalView* arrivals() const;
 
   /// Opens the dialog that sends what is open; without a server it opens the dock, which says how to enter one.
   void showSendDialog();
@@ -53,6 +56,7 @@ class ArchiveDock : public QDockWidget {
   std::unique_ptr<Archives> archives_;
   std::unique_ptr<Retrievals> retrievals_;
   ArchivePanel* panel_ = nullptr;
+  QPointer<ArrivalView> arrivals_;
   QPointer<SendDialog> send_;
 };
 
