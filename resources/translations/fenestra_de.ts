@@ -4132,6 +4132,10 @@ Kosinus des Winkels zur nächsten der sechs</translation>
         <source>Not whole: %1 of %2 images of this series are here. The study opens, with its 3-D views, once all are.</source>
         <translation>Unvollständig: %1 von %2 Bildern dieser Serie sind da. Die Studie öffnet sich mit ihren 3-D-Ansichten, sobald alle da sind.</translation>
     </message>
+    <message>
+        <source>All images are here. The study is being opened.</source>
+        <translation>Alle Bilder sind da. Die Studie wird geöffnet.</translation>
+    </message>
 </context>
 <context>
     <name>fenestra::viewer::BestViews</name>

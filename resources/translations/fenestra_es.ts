@@ -4132,6 +4132,10 @@ Coseno del ángulo con la más próxima de las seis</translation>
         <source>Not whole: %1 of %2 images of this series are here. The study opens, with its 3-D views, once all are.</source>
         <translation>Incompleto: han llegado %1 de %2 imágenes de esta serie. El estudio se abre, con sus vistas 3D, cuando estén todas.</translation>
     </message>
+    <message>
+        <source>All images are here. The study is being opened.</source>
+        <translation>Han llegado todas las imágenes. Se está abriendo el estudio.</translation>
+    </message>
 </context>
 <context>
     <name>fenestra::viewer::BestViews</name>

@@ -4132,6 +4132,10 @@ Cosinus de l&apos;angle avec la plus proche des six</translation>
         <source>Not whole: %1 of %2 images of this series are here. The study opens, with its 3-D views, once all are.</source>
         <translation>Incomplet : %1 images sur %2 de cette série sont arrivées. L’examen s’ouvre, avec ses vues 3D, dès qu’elles y sont toutes.</translation>
     </message>
+    <message>
+        <source>All images are here. The study is being opened.</source>
+        <translation>Toutes les images sont là. L’examen est en cours d’ouverture.</translation>
+    </message>
 </context>
 <context>
     <name>fenestra::viewer::BestViews</name>

@@ -4131,6 +4131,10 @@ Cosine of the angle to the nearest of the six</source>
         <source>Not whole: %1 of %2 images of this series are here. The study opens, with its 3-D views, once all are.</source>
         <translation>不完整：此序列的 %2 幅图像中已到达 %1 幅。全部到达后，检查会连同三维视图一起打开。</translation>
     </message>
+    <message>
+        <source>All images are here. The study is being opened.</source>
+        <translation>所有图像均已到达。正在打开检查。</translation>
+    </message>
 </context>
 <context>
     <name>fenestra::viewer::BestViews</name>

@@ -47,8 +47,13 @@ TEST_F(ArchiveWindow, ShowsTheFirstSliceOfFiveHundredAndOpensTheWhole) {
   entry.port = port;
   archives().put(entry);
   retrievals().resume(id);
-  waitFor(id, State::Done);
-  waitFor([&] { return document().hasVolume(); });
+  waitFor([&] { return view->isVisible(); });
+  bool wasBetween = false;
+  waitFor([&] {
+    wasBetween = wasBetween || (!view->isVisible() && !document().hasVolume());
+    return document().hasVolume();
+  });
+  EXPECT_FALSE(wasBetween) << "the slice stays until the study is open";
   EXPECT_EQ(document().scene().volume->grid.dims, glm::ivec3(64, 64, 500));
   EXPECT_FALSE(view->isVisible());
 }

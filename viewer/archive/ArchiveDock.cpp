@@ -17,8 +17,8 @@
 
 namespace fenestra::viewer {
 
-ArchiveDock::ArchiveDock(QMainWindow& window, Workspace& workspace, Open open)
-    : QDockWidget(tr("Archive")), window_(window), workspace_(workspace), open_(std::move(open)) {
+ArchiveDock::ArchiveDock(QMainWindow& window, Workspace& workspace, LoadJob& opening, Open open)
+    : QDockWidget(tr("Archive")), window_(window), workspace_(workspace), opening_(opening), open_(std::move(open)) {
   setObjectName(QStringLiteral("archiveDock"));
   setAllowedAreas(Qt::LeftDockWidgetArea | Qt::RightDockWidgetArea | Qt::BottomDockWidgetArea);
   window_.addDockWidget(Qt::LeftDockWidgetArea, this);
@@ -53,7 +53,7 @@ Retrievals& ArchiveDock::retrievals() {
   if (!retrievals_) {
     retrievals_ = std::make_unique<Retrievals>(archives());
     connect(retrievals_.get(), &Retrievals::ready, this, [this](const auto& folder) { open_(folder); });
-    arrivals_ = new ArrivalView(*retrievals_, *window_.centralWidget());
+    arrivals_ = new ArrivalView(*retrievals_, opening_, *window_.centralWidget());
   }
   return *retrievals_;
 }

@@ -17,6 +17,7 @@ namespace fenestra::viewer {
 
 class ArchivePanel;
 class ArrivalView;
+class LoadJob;
 class Retrievals;
 class SendDialog;
 struct Workspace;
@@ -24,11 +25,11 @@ struct Workspace;
 class ArchiveDock : public QDockWidget {
   Q_OBJECT
  public:
-  /// Opens a folder as if the user had chosen it.
+  /// Opens a folder as if the user had chosen it; may ask before.
   using Open = std::function<void(const std::filesystem::path& folder)>;
 
-  /// `window` gets the dock and owns this; `workspace` outlives it.
-  ArchiveDock(QMainWindow& window, Workspace& workspace, Open open);
+  /// `window` gets the dock and owns this; `workspace` and `opening`, the job that `open` starts, outlive it.
+  ArchiveDock(QMainWindow& window, Workspace& workspace, LoadJob& opening, Open open);
   ~ArchiveDock() override;
 
   /// Made when they are first asked for.
@@ -52,6 +53,7 @@ class ArchiveDock : public QDockWidget {
 
   QMainWindow& window_;
   Workspace& workspace_;
+  LoadJob& opening_;
   Open open_;
   std::unique_ptr<Archives> archives_;
   std::unique_ptr<Retrievals> retrievals_;

@@ -41,7 +41,8 @@ QImage sliceIn(const std::filesystem::path& file, const io::Progress& progress) 
 
 }  // namespace
 
-ArrivalView::ArrivalView(Retrievals& retrievals, QWidget& over) : QWidget(&over), retrievals_(retrievals) {
+ArrivalView::ArrivalView(Retrievals& retrievals, LoadJob& opening, QWidget& over)
+    : QWidget(&over), retrievals_(retrievals), opening_(opening) {
   setObjectName(QStringLiteral("arrivalView"));
   setAutoFillBackground(true);
   text_ = new QLabel;
@@ -74,10 +75,22 @@ ArrivalView::ArrivalView(Retrievals& retrievals, QWidget& over) : QWidget(&over)
     isHidden_ = true;
     setVisible(false);
   });
-  connect(cancel, &QPushButton::clicked, this, [this] { retrievals_.pause(retrieval_); });
+  connect(cancel, &QPushButton::clicked, this, [this] {
+    if (isWhole())
+      opening_.cancel();
+    else
+      retrievals_.pause(retrieval_);
+  });
   connect(&retrievals_, &Retrievals::arrived, this, &ArrivalView::add);
   connect(&retrievals_, &Retrievals::changed, this, &ArrivalView::follow);
   connect(&retrievals_, &Retrievals::listChanged, this, [this] { follow(retrieval_); });
+  // Whoever opens what is ready has connected before, and may have been told not to.
+  connect(&retrievals_, &Retrievals::ready, this, [this] {
+    if (!opening_.isRunning()) end();
+  });
+  connect(&opening_, &LoadJob::ended, this, [this] {
+    if (isWhole()) end();
+  });
   // A file that holds no picture shows nothing; the next one that comes is tried.
   connect(
       &job_, &LoadJob::ended, this, [this] { read(); }, Qt::QueuedConnection);
@@ -121,7 +134,15 @@ void ArrivalView::sayHowMany() {
 void ArrivalView::follow(int retrieval) {
   if (retrieval == 0 || retrieval != retrieval_) return;
   const Retrievals::Item* item = retrievals_.find(retrieval);
-  if (!item || item->state != Retrievals::State::Running) end();
+  if (isWhole())
+    text_->setText(tr("All images are here. The study is being opened."));
+  else if (!item || item->state != Retrievals::State::Running)
+    end();
+}
+
+bool ArrivalView::isWhole() const {
+  const Retrievals::Item* item = retrievals_.find(retrieval_);
+  return item && item->state == Retrievals::State::Done;
 }
 
 void ArrivalView::end() {

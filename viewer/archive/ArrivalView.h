@@ -1,6 +1,6 @@
 #pragma once
-// The slices of a series that is on its way, over the views, until it is whole and opens. Of what has come one slice is
-// shown, the middle one at first; a slider looks through the others. It says that the series is not whole.
+// The slices of a series that is on its way, over the views, until it is whole and has opened. Of what has come one
+// slice is shown, the middle one at first; a slider looks through the others. It says that the series is not whole.
 
 #include <filesystem>
 #include <map>
@@ -20,8 +20,9 @@ namespace fenestra::viewer {
 class ArrivalView : public QWidget {
   Q_OBJECT
  public:
-  /// Covers `over` while there is something to show. Both outlive this, or go with it.
-  ArrivalView(Retrievals& retrievals, QWidget& over);
+  /// Covers `over` while there is something to show, at the end until `opening`, the job that opens what is whole,
+  /// ends. All of them outlive this, or go with it.
+  ArrivalView(Retrievals& retrievals, LoadJob& opening, QWidget& over);
   /// Waits for the slice that is being read.
   ~ArrivalView() override;
 
@@ -43,9 +44,12 @@ class ArrivalView : public QWidget {
   void choose(int at);
   void read();
   void sayHowMany();
+  /// All has come, and is about to be opened.
+  bool isWhole() const;
   void end();
 
   Retrievals& retrievals_;
+  LoadJob& opening_;
   QLabel* text_;
   QSlider* slider_;
   LoadJob job_;
