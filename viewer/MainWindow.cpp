@@ -92,7 +92,7 @@ MainWindow::MainWindow(const Setup& setup, QWidget* parent)
   studyNotices_ = new StudyNotices(*this, workspace_, loader_, *files_, *sessions_, *notices_);
   setCentralWidget(makeCentre());
   panels_ = makePanels(*this, workspace_);
-  archive_ = new ArchiveDock(*this, workspace_, [this](const auto& folder) { files_->open({folder}); });
+  archive_ = new ArchiveDock(*this, workspace_, loader_.job(), [this](const auto& folder) { files_->open({folder}); });
   guide_ = new Guide(*this);
   connect(welcome_, &WelcomePage::guideRequested, guide_, [this] { guide_->open(); });
   actions_ =

@@ -4103,6 +4103,41 @@ Kosinus des Winkels zur nächsten der sechs</translation>
     </message>
 </context>
 <context>
+    <name>fenestra::viewer::ArrivalView</name>
+    <message>
+        <source>Looks through the slices that have come</source>
+        <translation>Blättert durch die Schichten, die schon da sind</translation>
+    </message>
+    <message>
+        <source>Slice of those that have come</source>
+        <translation>Schicht aus denen, die schon da sind</translation>
+    </message>
+    <message>
+        <source>Hide</source>
+        <translation>Ausblenden</translation>
+    </message>
+    <message>
+        <source>Shows the views again; the retrieval goes on</source>
+        <translation>Zeigt wieder die Ansichten; der Abruf läuft weiter</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Stops the retrieval; what came is kept</source>
+        <translation>Hält den Abruf an; was da ist, bleibt</translation>
+    </message>
+    <message>
+        <source>Not whole: %1 of %2 images of this series are here. The study opens, with its 3-D views, once all are.</source>
+        <translation>Unvollständig: %1 von %2 Bildern dieser Serie sind da. Die Studie öffnet sich mit ihren 3-D-Ansichten, sobald alle da sind.</translation>
+    </message>
+    <message>
+        <source>All images are here. The study is being opened.</source>
+        <translation>Alle Bilder sind da. Die Studie wird geöffnet.</translation>
+    </message>
+</context>
+<context>
     <name>fenestra::viewer::BestViews</name>
     <message>
         <source>One of the best viewpoints; click to look from there with C1</source>

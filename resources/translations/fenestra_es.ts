@@ -4103,6 +4103,41 @@ Coseno del ángulo con la más próxima de las seis</translation>
     </message>
 </context>
 <context>
+    <name>fenestra::viewer::ArrivalView</name>
+    <message>
+        <source>Looks through the slices that have come</source>
+        <translation>Recorre los cortes que ya han llegado</translation>
+    </message>
+    <message>
+        <source>Slice of those that have come</source>
+        <translation>Corte entre los que ya han llegado</translation>
+    </message>
+    <message>
+        <source>Hide</source>
+        <translation>Ocultar</translation>
+    </message>
+    <message>
+        <source>Shows the views again; the retrieval goes on</source>
+        <translation>Vuelve a mostrar las vistas; la recuperación continúa</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Cancelar</translation>
+    </message>
+    <message>
+        <source>Stops the retrieval; what came is kept</source>
+        <translation>Detiene la recuperación; se conserva lo que ha llegado</translation>
+    </message>
+    <message>
+        <source>Not whole: %1 of %2 images of this series are here. The study opens, with its 3-D views, once all are.</source>
+        <translation>Incompleto: han llegado %1 de %2 imágenes de esta serie. El estudio se abre, con sus vistas 3D, cuando estén todas.</translation>
+    </message>
+    <message>
+        <source>All images are here. The study is being opened.</source>
+        <translation>Han llegado todas las imágenes. Se está abriendo el estudio.</translation>
+    </message>
+</context>
+<context>
     <name>fenestra::viewer::BestViews</name>
     <message>
         <source>One of the best viewpoints; click to look from there with C1</source>

@@ -4103,6 +4103,41 @@ Cosinus de l&apos;angle avec la plus proche des six</translation>
     </message>
 </context>
 <context>
+    <name>fenestra::viewer::ArrivalView</name>
+    <message>
+        <source>Looks through the slices that have come</source>
+        <translation>Parcourt les coupes déjà arrivées</translation>
+    </message>
+    <message>
+        <source>Slice of those that have come</source>
+        <translation>Coupe parmi celles déjà arrivées</translation>
+    </message>
+    <message>
+        <source>Hide</source>
+        <translation>Masquer</translation>
+    </message>
+    <message>
+        <source>Shows the views again; the retrieval goes on</source>
+        <translation>Affiche de nouveau les vues ; la récupération continue</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Annuler</translation>
+    </message>
+    <message>
+        <source>Stops the retrieval; what came is kept</source>
+        <translation>Arrête la récupération ; ce qui est arrivé est conservé</translation>
+    </message>
+    <message>
+        <source>Not whole: %1 of %2 images of this series are here. The study opens, with its 3-D views, once all are.</source>
+        <translation>Incomplet : %1 images sur %2 de cette série sont arrivées. L’examen s’ouvre, avec ses vues 3D, dès qu’elles y sont toutes.</translation>
+    </message>
+    <message>
+        <source>All images are here. The study is being opened.</source>
+        <translation>Toutes les images sont là. L’examen est en cours d’ouverture.</translation>
+    </message>
+</context>
+<context>
     <name>fenestra::viewer::BestViews</name>
     <message>
         <source>One of the best viewpoints; click to look from there with C1</source>

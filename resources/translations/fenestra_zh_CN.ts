@@ -4102,6 +4102,41 @@ Cosine of the angle to the nearest of the six</source>
     </message>
 </context>
 <context>
+    <name>fenestra::viewer::ArrivalView</name>
+    <message>
+        <source>Looks through the slices that have come</source>
+        <translation>浏览已到达的层面</translation>
+    </message>
+    <message>
+        <source>Slice of those that have come</source>
+        <translation>已到达层面中的一层</translation>
+    </message>
+    <message>
+        <source>Hide</source>
+        <translation>隐藏</translation>
+    </message>
+    <message>
+        <source>Shows the views again; the retrieval goes on</source>
+        <translation>重新显示视图；获取继续进行</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
+    </message>
+    <message>
+        <source>Stops the retrieval; what came is kept</source>
+        <translation>停止获取；已到达的内容会保留</translation>
+    </message>
+    <message>
+        <source>Not whole: %1 of %2 images of this series are here. The study opens, with its 3-D views, once all are.</source>
+        <translation>不完整：此序列的 %2 幅图像中已到达 %1 幅。全部到达后，检查会连同三维视图一起打开。</translation>
+    </message>
+    <message>
+        <source>All images are here. The study is being opened.</source>
+        <translation>所有图像均已到达。正在打开检查。</translation>
+    </message>
+</context>
+<context>
     <name>fenestra::viewer::BestViews</name>
     <message>
         <source>One of the best viewpoints; click to look from there with C1</source>

@@ -7,6 +7,7 @@
 
 #include "viewer/archive/ArchiveModel.h"
 #include "viewer/archive/ArchivePanel.h"
+#include "viewer/archive/ArrivalView.h"
 #include "viewer/archive/Retrievals.h"
 #include "viewer/archive/SendDialog.h"
 #include "viewer/archive/ServerDialog.h"
@@ -16,8 +17,8 @@
 
 namespace fenestra::viewer {
 
-ArchiveDock::ArchiveDock(QMainWindow& window, Workspace& workspace, Open open)
-    : QDockWidget(tr("Archive")), window_(window), workspace_(workspace), open_(std::move(open)) {
+ArchiveDock::ArchiveDock(QMainWindow& window, Workspace& workspace, LoadJob& opening, Open open)
+    : QDockWidget(tr("Archive")), window_(window), workspace_(workspace), opening_(opening), open_(std::move(open)) {
   setObjectName(QStringLiteral("archiveDock"));
   setAllowedAreas(Qt::LeftDockWidgetArea | Qt::RightDockWidgetArea | Qt::BottomDockWidgetArea);
   window_.addDockWidget(Qt::LeftDockWidgetArea, this);
@@ -36,6 +37,7 @@ ArchiveDock::ArchiveDock(QMainWindow& window, Workspace& workspace, Open open)
 ArchiveDock::~ArchiveDock() {
   // Their workers use the servers.
   delete send_;
+  delete arrivals_;
   delete panel_;
 }
 
@@ -51,6 +53,7 @@ Retrievals& ArchiveDock::retrievals() {
   if (!retrievals_) {
     retrievals_ = std::make_unique<Retrievals>(archives());
     connect(retrievals_.get(), &Retrievals::ready, this, [this](const auto& folder) { open_(folder); });
+    arrivals_ = new ArrivalView(*retrievals_, opening_, *window_.centralWidget());
   }
   return *retrievals_;
 }
@@ -68,6 +71,8 @@ ArchivePanel& ArchiveDock::panel() {
   window_.installEventFilter(this);
   return *panel_;
 }
+
+ArrivalView* ArchiveDock::arrivals() const { return arrivals_; }
 
 void ArchiveDock::openRetrieved(int retrieval) {
   const Retrievals::Item* item = retrievals().find(retrieval);

@@ -16,6 +16,8 @@ class QMainWindow;
 namespace fenestra::viewer {
 
 class ArchivePanel;
+class ArrivalView;
+class LoadJob;
 class Retrievals;
 class SendDialog;
 struct Workspace;
@@ -23,11 +25,11 @@ struct Workspace;
 class ArchiveDock : public QDockWidget {
   Q_OBJECT
  public:
-  /// Opens a folder as if the user had chosen it.
+  /// Opens a folder as if the user had chosen it; may ask before.
   using Open = std::function<void(const std::filesystem::path& folder)>;
 
-  /// `window` gets the dock and owns this; `workspace` outlives it.
-  ArchiveDock(QMainWindow& window, Workspace& workspace, Open open);
+  /// `window` gets the dock and owns this; `workspace` and `opening`, the job that `open` starts, outlive it.
+  ArchiveDock(QMainWindow& window, Workspace& workspace, LoadJob& opening, Open open);
   ~ArchiveDock() override;
 
   /// Made when they are first asked for.
@@ -36,6 +38,8 @@ class ArchiveDock : public QDockWidget {
   ArchivePanel& panel();
   /// Null before the dock was opened.
   ArchivePanel* panelIfMade() { return panel_; }
+  /// Null before something was retrieved.
+  ArrivalView* arrivals() const;
 
   /// Opens the dialog that sends what is open; without a server it opens the dock, which says how to enter one.
   void showSendDialog();
@@ -49,10 +53,12 @@ class ArchiveDock : public QDockWidget {
 
   QMainWindow& window_;
   Workspace& workspace_;
+  LoadJob& opening_;
   Open open_;
   std::unique_ptr<Archives> archives_;
   std::unique_ptr<Retrievals> retrievals_;
   ArchivePanel* panel_ = nullptr;
+  QPointer<ArrivalView> arrivals_;
   QPointer<SendDialog> send_;
 };
 

@@ -123,8 +123,12 @@ void Retrievals::start(Item& item, const AnyServer& server) {
       item.job.get(), &LoadJob::ended, this, [this, id] { ended(id); }, Qt::QueuedConnection);
   set(item, State::Running);
   const bool moves = archives_.find(item.order.server)->moves;
-  const io::archive::Retrieval retrieval{item.order.study, item.order.series,
-                                         moves ? io::archive::Way::Move : io::archive::Way::Get};
+  io::archive::Retrieval retrieval{item.order.study, item.order.series,
+                                   moves ? io::archive::Way::Move : io::archive::Way::Get};
+  if (item.order.opens)
+    retrieval.arrived = [this, id](const io::archive::ArrivedObject& object) {
+      QMetaObject::invokeMethod(this, [this, id, object] { Q_EMIT arrived(id, object); });
+    };
   item.job->start(
       [this, id, retrieval, order = item.order, root = archives_.cacheFolder(),
        talk = Conversation(archives_, item.order.server, server)](const io::Progress& progress) -> LoadJob::Show {

@@ -9,6 +9,7 @@
 
 #include <QObject>
 
+#include "io/archive/Retrieve.h"
 #include "viewer/archive/Archives.h"
 #include "viewer/jobs/LoadJob.h"
 
@@ -63,6 +64,8 @@ class Retrievals : public QObject {
   /// Items came or went.
   void listChanged();
   void changed(int id);
+  /// An object of one that is to be opened is here, while others are not.
+  void arrived(int id, const io::archive::ArrivedObject& object);
   /// One that was to be opened is whole.
   void ready(const std::filesystem::path& folder);
 
