@@ -14,11 +14,11 @@ namespace fenestra::io::archive {
 
 namespace fs = std::filesystem;
 
-void Intake::expect(const Wanted& wanted, Wanted missing) {
+void Intake::expect(const Wanted& wanted, Wanted missing, std::optional<std::size_t> total) {
   const std::lock_guard lock(mutex_);
   part_ = cache_.partOf(wanted.study, wanted.series);
   wanted_ = std::move(missing);
-  total_ = wanted.objects.size();
+  total_ = total.value_or(wanted.objects.size());
   received_ = 0;
   if (!arrived_) return;
   for (const auto& [object, objectClass] : wanted.objects) {
@@ -28,8 +28,8 @@ void Intake::expect(const Wanted& wanted, Wanted missing) {
   }
 }
 
-void Intake::tell(const std::string& object, const fs::path& file) const {
-  if (!arrived_) return;
+void Intake::tell(const std::string& object, const fs::path& file) {
+  if (!arrived_ || !told_.insert(object).second) return;
   const auto number = wanted_.numbers.find(object);
   arrived_({wanted_.series, file, number == wanted_.numbers.end() ? 0 : number->second, total_});
 }

@@ -7,6 +7,7 @@
 #include <map>
 #include <mutex>
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 
@@ -27,8 +28,9 @@ class Intake {
   Intake(const Cache& cache, const Limits& limits, Activity& activity, Arrival arrived = {})
       : cache_(cache), limits_(limits), activity_(activity), arrived_(std::move(arrived)) {}
 
-  /// From here on what is missing of `wanted` is let in, and nothing else.
-  void expect(const Wanted& wanted, Wanted missing);
+  /// From here on what is missing of `wanted` is let in, and nothing else. `total`: objects of the series, where
+  /// `wanted` does not list all of them.
+  void expect(const Wanted& wanted, Wanted missing, std::optional<std::size_t> total = {});
   /// Reads the object that follows a C-STORE request, keeps it where it is wanted, and answers. Bad: the association is
   /// of no more use.
   OFCondition receive(T_ASC_Association* association, T_ASC_PresentationContextID context,
@@ -50,7 +52,7 @@ class Intake {
   /// `object`: the UID that the file was said to have; empty: none was said.
   DIC_US keep(const std::filesystem::path& file, const std::string& object);
   bool isFull();
-  void tell(const std::string& object, const std::filesystem::path& file) const;
+  void tell(const std::string& object, const std::filesystem::path& file);
   OFCondition readInto(const std::filesystem::path& file, T_ASC_Association* association,
                        T_ASC_PresentationContextID context, const T_DIMSE_C_StoreRQ& request);
 
@@ -61,6 +63,7 @@ class Intake {
   mutable std::mutex mutex_;
   Wanted wanted_;          ///< what is missing
   std::size_t total_ = 0;  ///< objects of the series
+  std::set<std::string> told_;
   std::filesystem::path part_;
   std::string failure_;
   std::atomic<std::size_t> received_ = 0, refused_ = 0, files_ = 0;

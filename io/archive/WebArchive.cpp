@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <charconv>
 #include <fstream>
 #include <memory>
 #include <random>
@@ -38,6 +39,7 @@ class WebSearch {
   WebSearch(const WebServer& server, Http& http) : server_(server), http_(http) {}
 
   Answers run(const Query& query) {
+    answers_ = {};
     answers_.records = descend(query, [this](Level level, const Attributes& keys) { return ask(level, keys); });
     return std::move(answers_);
   }
@@ -141,7 +143,19 @@ class WebTransfer {
         choosesOrder_(static_cast<bool>(arrived)),
         intake_(cache, server.limits, task.activity(), arrived) {}
 
+  /// Retrieves one object of a series that has `total`, before the others are known.
+  void begin(const Wanted& one, std::size_t total) {
+    const SeriesLock lock = lockOf(one);
+    const Wanted missing = missingOf(one, cache_);
+    if (missing.objects.empty()) return;
+    total_ = total;
+    intake_.expect(one, missing, total);
+    readEach(one, missing);
+    begun_ = {one.series, intake_.received()};
+  }
+
   Retrieved run(const std::vector<Wanted>& all) {
+    total_ = 0;
     for (const Wanted& each : all) total_ += each.objects.size();
     makeRoom(all, cache_, server_.limits);
     for (const Wanted& each : all) retrieve(each);
@@ -164,11 +178,10 @@ class WebTransfer {
     before_ += wanted.objects.size() - count;
     if (count > 0) {
       intake_.expect(wanted, missing);
-      const std::string series = "/studies/" + http_.escaped(wanted.study) + "/series/" + http_.escaped(wanted.series);
       if (count == wanted.objects.size() && !choosesOrder_)
-        read(series, count);
+        read(pathOf(wanted), count);
       else
-        for (const std::string& object : middleFirst(missing)) read(series + "/instances/" + http_.escaped(object), 1);
+        readEach(wanted, missing);
       before_ += intake_.received();
       if (intake_.received() < count)
         refuse(server_,
@@ -177,8 +190,17 @@ class WebTransfer {
                "try again: only these are asked for then");
     }
     cache_.complete(wanted.study, wanted.series);
-    retrieved_.series.push_back(
-        {wanted.study, wanted.series, cache_.folderOf(wanted.study, wanted.series), wanted.objects.size(), count});
+    retrieved_.series.push_back({wanted.study, wanted.series, cache_.folderOf(wanted.study, wanted.series),
+                                 wanted.objects.size(), count + (begun_.series == wanted.series ? begun_.count : 0)});
+  }
+
+  std::string pathOf(const Wanted& wanted) const {
+    return "/studies/" + http_.escaped(wanted.study) + "/series/" + http_.escaped(wanted.series);
+  }
+
+  void readEach(const Wanted& wanted, const Wanted& missing) {
+    for (const std::string& object : middleFirst(wanted))
+      if (missing.objects.contains(object)) read(pathOf(wanted) + "/instances/" + http_.escaped(object), 1);
   }
 
   void read(const std::string& path, std::size_t objects) {
@@ -237,8 +259,48 @@ class WebTransfer {
   std::ofstream stream_;
   std::uint64_t bytes_ = 0;  ///< of the file
   std::size_t total_ = 0, before_ = 0;
+  struct {
+    std::string series;
+    std::size_t count = 0;
+  } begun_;  ///< what begin() brought
   Retrieved retrieved_;
 };
+
+/// The middle object, by its number, of the series that a retrieval is about, or of its study's largest, and how many
+/// that series has; none where the server numbers them otherwise. Servers find one object long before they have listed
+/// a series: Orthanc reads each file for the list.
+std::optional<std::pair<Wanted, std::size_t>> middleOf(WebSearch& search, const Retrieval& retrieval,
+                                                       const Limits& limits) {
+  Query query{Level::Series, {{"StudyInstanceUID", retrieval.study}}};
+  if (!retrieval.series.empty()) query.keys["SeriesInstanceUID"] = retrieval.series;
+  std::string series;
+  std::size_t most = 1;  // one alone is listed as soon
+  for (const Attributes& each : search.run(query).records) {
+    const std::string text = valueOf(each, "NumberOfSeriesRelatedInstances");
+    std::size_t count = 0;
+    std::from_chars(text.data(), text.data() + text.size(), count);
+    if (count <= most || count > limits.answers) continue;
+    most = count;
+    series = valueOf(each, "SeriesInstanceUID");
+  }
+  if (series.empty()) return std::nullopt;
+  const int middle = static_cast<int>(most / 2) + 1;
+  query = {Level::Image,
+           {{"StudyInstanceUID", retrieval.study},
+            {"SeriesInstanceUID", series},
+            {"InstanceNumber", std::to_string(middle)}}};
+  for (Wanted& found : wantedIn(search.run(query).records, retrieval.study)) {
+    // A server may match by no number, and several objects may have the same one.
+    std::erase_if(found.objects, [&](const auto& object) {
+      const auto number = found.numbers.find(object.first);
+      return number == found.numbers.end() || number->second != middle;
+    });
+    if (found.series != series || found.objects.empty()) continue;
+    found.objects.erase(std::next(found.objects.begin()), found.objects.end());
+    return std::pair(std::move(found), most);
+  }
+  return std::nullopt;
+}
 
 /// The boundary between the parts of a message. It is random, so that no file can hold it on purpose and end its part.
 std::string newBoundary() {
@@ -307,15 +369,19 @@ Retrieved retrieve(const WebServer& server, const Retrieval& retrieval, const Ca
   prepareDcmtk();
   Task task(server.limits, progress, "retrieving");
   Http http(server, task);
+  WebSearch search(server, http);
+  WebTransfer transfer(server, cache, http, task, retrieval.arrived);
+  if (retrieval.arrived)
+    if (const auto middle = middleOf(search, retrieval, server.limits)) transfer.begin(middle->first, middle->second);
   Query query{Level::Image, {{"StudyInstanceUID", retrieval.study}}};
   if (!retrieval.series.empty()) query.keys["SeriesInstanceUID"] = retrieval.series;
-  const Answers answers = WebSearch(server, http).run(query);
+  const Answers answers = search.run(query);
   const std::vector<Wanted> all = wantedIn(answers.records, retrieval.study);
   if (all.empty()) refuse(server, "the server holds no such study or series", "search for it first, for its UID");
   if (!answers.complete)
     refuse(server, "the study has more than " + std::to_string(server.limits.answers) + " objects",
            "retrieve its series one by one");
-  return WebTransfer(server, cache, http, task, retrieval.arrived).run(all);
+  return transfer.run(all);
 }
 
 std::vector<Sent> send(const WebServer& server, const std::vector<fs::path>& files, const Progress& progress) {

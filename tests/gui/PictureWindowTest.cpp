@@ -115,8 +115,8 @@ TEST_F(PictureWindow, ALargerPictureShowsTheSameWithMoreDetail) {
   EXPECT_LT(meanDifference(reduced, once), 1.5);
 }
 
-TEST_F(PictureWindow, APictureOf4000By3000IsTheWindowOnADenserScreen) {
-  constexpr double scale = 4.0;
+TEST_F(PictureWindow, APictureOf2000By1500IsTheWindowOnADenserScreen) {
+  constexpr double scale = 2.0;
   window_->resize(window_->size() + QSize(1000, 750) - views().size());
   ASSERT_TRUE(QTest::qWaitFor([&] { return views().size() == QSize(1000, 750); }, patience));
   qApp->focusWidget()->clearFocus();
@@ -127,9 +127,9 @@ TEST_F(PictureWindow, APictureOf4000By3000IsTheWindowOnADenserScreen) {
   pictures().writePicture(folder_ / "large.png", request);
   waitUntilWritten();
   const QImage saved = load(folder_ / "large.png");
-  ASSERT_EQ(saved.size(), QSize(4000, 3000));
+  ASSERT_EQ(saved.size(), QSize(2000, 1500));
   const auto placeOf = [&](const QWidget* view) { return QRect(view->mapTo(&views(), QPoint(0, 0)), view->size()); };
-  // A slice as a screen of four times the density shows it, text and lines included.
+  // A slice as a screen of twice the density shows it, text and lines included.
   for (SliceView* view : views().sliceViews()) {
     QImage dense(view->size() * scale, QImage::Format_RGB32);
     dense.setDevicePixelRatio(scale);
