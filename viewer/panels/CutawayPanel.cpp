@@ -68,8 +68,15 @@ void CutawayPanel::layOut() {
   axis_->addWidget(axisOffset_, 1);
   axis_->addWidget(axisDirection_);
   form_->addRow(name(settingOf(&Cutaway::axisOffset)), axis_);
-  form_->addRow(tr("Look"), look_);
-  form_->addRow(name(settingOf(&Cutaway::unit)), unit_);
+  // In one row: a column of all panels leaves few rows on a small screen.
+  for (QComboBox* box : {look_, unit_}) {
+    box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    box->setMinimumContentsLength(5);
+  }
+  auto* looks = new QHBoxLayout;
+  looks->addWidget(look_, 1);
+  looks->addWidget(unit_);
+  form_->addRow(tr("Look"), looks);
 }
 
 void CutawayPanel::apply(int openingLook) {
