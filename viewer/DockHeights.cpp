@@ -7,6 +7,7 @@
 
 #include <QEvent>
 #include <QLayout>
+#include <QMouseEvent>
 #include <QStyle>
 
 #include "viewer/DockFolding.h"
@@ -144,17 +145,23 @@ void DockHeights::share() {
   }
   window_.resizeDocks(docks, groups, Qt::Vertical);
   window_.layout()->activate();
-  shared_ = heightsOf(sections);
 }
 
 bool DockHeights::eventFilter(QObject* watched, QEvent* event) {
-  if (watched != &window_ || (event->type() != QEvent::Resize && event->type() != QEvent::Show))
-    return QObject::eventFilter(watched, event);
-  // The docks still have the heights from before.
-  const std::vector<Section> sections = shown();
-  if (!isDue_ && !shared_.empty() && sections.size() == shared_.size() && heightsOf(sections) != shared_)
-    isUsers_ = true;
-  if (!isUsers_ && !std::exchange(isDue_, true))
+  if (watched != &window_) return QObject::eventFilter(watched, event);
+  // The borders between docks are the window's own: where the mouse is pressed on no child, it may drag one. Contents
+  // that want another height move borders, too, but at other times.
+  if (event->type() == QEvent::MouseButtonPress) {
+    const bool isOnBorder = !window_.childAt(static_cast<QMouseEvent*>(event)->position().toPoint());
+    pressed_ = isOnBorder ? heightsOf(shown()) : std::vector<int>();
+  }
+  // From the event loop: the window moves borders from there.
+  if (event->type() == QEvent::MouseButtonRelease && !pressed_.empty())
+    QMetaObject::invokeMethod(
+        this, [this, before = std::exchange(pressed_, {})] { isUsers_ |= heightsOf(shown()) != before; },
+        Qt::QueuedConnection);
+  const bool fits = event->type() == QEvent::Resize || event->type() == QEvent::Show;
+  if (fits && !isUsers_ && !std::exchange(isDue_, true))
     QMetaObject::invokeMethod(this, &DockHeights::share, Qt::QueuedConnection);
   return QObject::eventFilter(watched, event);
 }

@@ -20,7 +20,8 @@ class DockHeights : public QObject {
   /// that nothing moves when another tab is chosen. The window owns this.
   DockHeights(QMainWindow& window, DockFolding& folding, std::vector<QDockWidget*> column);
 
-  /// To be called after a layout was restored: heights other than the shared ones count as chosen by the user.
+  /// To be called after a layout was restored: heights other than those that would be shared count as chosen by
+  /// the user.
   void keepWhatTheUserChose() { checks_ = true; }
   /// Shares the height anew, also where the user has moved a border.
   void reset();
@@ -49,8 +50,8 @@ class DockHeights : public QObject {
   DockFolding& folding_;
   std::vector<QDockWidget*> column_;
   std::vector<QDockWidget*> order_;  ///< docks of the column: the first one, then those that the user opened last
-  std::vector<int> shared_;          ///< heights after the last share
-  bool checks_ = false;   ///< heights that differ from shared_ are the user's; off until a layout is restored
+  std::vector<int> pressed_;         ///< heights when the mouse was pressed on a border
+  bool checks_ = false;   ///< heights that share() would not give are the user's; after a layout was restored
   bool isUsers_ = false;  ///< the user has moved a border
   bool isDue_ = false;    ///< share() runs soon
 };

@@ -292,7 +292,8 @@ TEST_F(Window, HeightsOfPanelsAreTheUsersOnceABorderWasDragged) {
     ASSERT_TRUE(QTest::qWaitForWindowExposed(&window, patience));
     const std::vector<int> first = dockHeights(window);
     auto* context = window.findChild<QDockWidget*>(QStringLiteral("contextDock"));
-    window.resizeDocks({context}, {first[1] - 60}, Qt::Vertical);  // as dragging its border does
+    const QPoint border(context->geometry().center().x(), context->y() - 3);
+    drag(&window, border, border + QPoint(0, 60));
     QCoreApplication::processEvents();
     chosen = dockHeights(window);
     ASSERT_LT(chosen[1], first[1] - 30);

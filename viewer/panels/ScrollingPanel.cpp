@@ -7,6 +7,7 @@
 #include <QComboBox>
 #include <QEvent>
 #include <QLayout>
+#include <QResizeEvent>
 #include <QScrollBar>
 
 namespace fenestra::viewer {
@@ -87,7 +88,7 @@ void ScrollingPanel::leaveEvent(QEvent* event) {
 }
 
 void ScrollingPanel::resizeEvent(QResizeEvent* event) {
-  releasePlace();
+  if (event->size().height() != event->oldSize().height()) releasePlace();
   QScrollArea::resizeEvent(event);
 }
 
