@@ -153,6 +153,32 @@ class Sections : public Window {
     return found;
   }
   QPoint placeInWindow(const QWidget& widget) { return widget.mapTo(window_.get(), QPoint(0, 0)); }
+  /// No control moves when a method with other rows is chosen, also where the panel is scrolled down.
+  void expectMethodStays(QComboBox& method, QScrollArea& scroller) {
+    for (const bool down : {false, true})
+      for (int kind = 1; kind <= method.count(); ++kind) {
+        scroller.verticalScrollBar()->setValue(down ? scroller.verticalScrollBar()->maximum() : 0);
+        const QPoint box = placeInWindow(method), title = placeInWindow(*dock("cutawayDock"));
+        method.setCurrentIndex(kind % method.count());
+        Q_EMIT method.activated(method.currentIndex());
+        settle();
+        EXPECT_EQ(placeInWindow(method), box) << method.currentText().toStdString();
+        EXPECT_EQ(placeInWindow(*dock("cutawayDock")), title) << method.currentText().toStdString();
+      }
+    scroller.verticalScrollBar()->setValue(0);
+  }
+  void expectButtonsStay(FocusPanel& focus) {
+    for (QAbstractButton* button : std::initializer_list<QAbstractButton*>{focus.byValue(), focus.paint()}) {
+      focus.ensureWidgetVisible(button);
+      settle();
+      const QPoint place = placeInWindow(*button);
+      for (int click = 0; click < 2; ++click) {
+        QTest::mouseClick(button, Qt::LeftButton);
+        settle();
+        EXPECT_EQ(placeInWindow(*button), place) << button->text().toStdString();
+      }
+    }
+  }
 };
 
 }  // namespace
@@ -177,20 +203,9 @@ TEST_F(Sections, FitASmallLaptop) {
   EXPECT_FALSE(isOpen("contextDock"));
   EXPECT_FALSE(isOpen("camerasDock"));
 
-  // No control moves when a method with other rows is chosen, also where the panel is scrolled down.
   auto& method = *cutaway.findChild<QComboBox*>(QStringLiteral("kind"));
   auto& scroller = dynamic_cast<QScrollArea&>(*dock("cutawayDock")->widget());
-  for (const bool down : {false, true})
-    for (int kind = 1; kind <= method.count(); ++kind) {
-      scroller.verticalScrollBar()->setValue(down ? scroller.verticalScrollBar()->maximum() : 0);
-      const QPoint box = placeInWindow(method), title = placeInWindow(*dock("cutawayDock"));
-      method.setCurrentIndex(kind % method.count());
-      Q_EMIT method.activated(method.currentIndex());
-      settle();
-      EXPECT_EQ(placeInWindow(method), box) << method.currentText().toStdString();
-      EXPECT_EQ(placeInWindow(*dock("cutawayDock")), title) << method.currentText().toStdString();
-    }
-  scroller.verticalScrollBar()->setValue(0);
+  expectMethodStays(method, scroller);
 
   // The wheel scrolls the panel, unless the slider has the focus.
   method.setCurrentIndex(method.findData(static_cast<int>(kindOf<methods::Importance>)));
@@ -207,16 +222,7 @@ TEST_F(Sections, FitASmallLaptop) {
   EXPECT_GT(list.verticalScrollBar()->value(), 0);
 
   FocusPanel& focus = panel<FocusPanel>();
-  for (QAbstractButton* button : std::initializer_list<QAbstractButton*>{focus.byValue(), focus.paint()}) {
-    focus.ensureWidgetVisible(button);
-    settle();
-    const QPoint place = placeInWindow(*button);
-    for (int click = 0; click < 2; ++click) {
-      QTest::mouseClick(button, Qt::LeftButton);
-      settle();
-      EXPECT_EQ(placeInWindow(*button), place) << button->text().toStdString();
-    }
-  }
+  expectButtonsStay(focus);
 
   // Another section has the room of the one that is done with, and shows its plot whole.
   clickTitle("contextDock");

@@ -105,6 +105,39 @@ class ReformatWindow : public Conventions {
   PathMode& path() { return window_->workspace().path; }
   ReformatPanel& reformat() { return panel<ReformatPanel>(); }
   void click(glm::dvec3 world) { QTest::mouseClick(axial(), Qt::LeftButton, {}, at(world)); }
+  void expectCamerasFollow(double half) {
+    // The cameras go along when they are asked to, which is one step; moves along the path are none.
+    const ViewLink::Pose pose = cameras().pose();
+    QTest::keyClick(&reformat().straight(), Qt::Key_Home);
+    EXPECT_EQ(cameras().pose(), pose);
+    reformat().camerasFollow()->click();
+    const int steps = document().undoStack().index();
+    path().setPlace(half);
+    for (int view = 0; view < ViewLink::count; ++view) {
+      EXPECT_LT(glm::distance(cameras().camera(view).target, path().curve().place(half).point), 1e-9);
+      EXPECT_LT(
+          glm::distance(directionOf(cameras().camera(view)), directionOf(pose.cameras[static_cast<std::size_t>(view)])),
+          1e-9);
+    }
+    EXPECT_EQ(document().undoStack().index(), steps);
+    EXPECT_EQ(window_->sessions().controller().session().followsPath, true);
+    document().undoStack().undo();
+    EXPECT_EQ(cameras().pose(), pose);
+    reformat().camerasFollow()->click();
+    EXPECT_FALSE(options().followsPath());
+  }
+  void expectNeighboursGoAlong(double z) {
+    // Of a line of many points, those near to the one that is dragged go along.
+    std::vector<glm::dvec3> line;
+    for (int x = -20; x <= 20; x += 2) line.push_back({x, 0, z});
+    path().movePoint(line, 10, {0, 8, 0});
+    const std::vector<glm::dvec3>& moved = document().path();
+    EXPECT_EQ(moved[10], glm::dvec3(0, 8, z));
+    EXPECT_NEAR(moved[11].y, 8.0 * 0.75, 1e-9) << "cos² of a third of a right angle";
+    EXPECT_NEAR(moved[9].y, moved[11].y, 1e-9);
+    EXPECT_EQ(moved[13], line[13]);
+    EXPECT_EQ(moved[0], line[0]);
+  }
   void waitForPictures() {
     ASSERT_TRUE(QTest::qWaitFor([this] { return reformat().isVisible() && !reformat().isBusy(); }, patience));
   }
@@ -158,36 +191,8 @@ TEST_F(ReformatWindow, APathIsClickedStraightenedMovedAlongAndUndone) {
   drag(&reformat().straight(), inside.center().toPoint(), inside.center().toPoint() + QPoint(30, 0));
   EXPECT_GT(document().window().width, window.width);
 
-  // The cameras go along when they are asked to, which is one step; moves along the path are none.
-  const ViewLink::Pose pose = cameras().pose();
-  QTest::keyClick(&reformat().straight(), Qt::Key_Home);
-  EXPECT_EQ(cameras().pose(), pose);
-  reformat().camerasFollow()->click();
-  const int steps = document().undoStack().index();
-  path().setPlace(half);
-  for (int view = 0; view < ViewLink::count; ++view) {
-    EXPECT_LT(glm::distance(cameras().camera(view).target, path().curve().place(half).point), 1e-9);
-    EXPECT_LT(
-        glm::distance(directionOf(cameras().camera(view)), directionOf(pose.cameras[static_cast<std::size_t>(view)])),
-        1e-9);
-  }
-  EXPECT_EQ(document().undoStack().index(), steps);
-  EXPECT_EQ(window_->sessions().controller().session().followsPath, true);
-  document().undoStack().undo();
-  EXPECT_EQ(cameras().pose(), pose);
-  reformat().camerasFollow()->click();
-  EXPECT_FALSE(options().followsPath());
-
-  // Of a line of many points, those near to the one that is dragged go along.
-  std::vector<glm::dvec3> line;
-  for (int x = -20; x <= 20; x += 2) line.push_back({x, 0, z});
-  path().movePoint(line, 10, {0, 8, 0});
-  const std::vector<glm::dvec3>& moved = document().path();
-  EXPECT_EQ(moved[10], glm::dvec3(0, 8, z));
-  EXPECT_NEAR(moved[11].y, 8.0 * 0.75, 1e-9) << "cos² of a third of a right angle";
-  EXPECT_NEAR(moved[9].y, moved[11].y, 1e-9);
-  EXPECT_EQ(moved[13], line[13]);
-  EXPECT_EQ(moved[0], line[0]);
+  expectCamerasFollow(half);
+  expectNeighboursGoAlong(z);
   document().undoStack().undo();
   document().undoStack().undo();
   EXPECT_TRUE(document().path().empty());
