@@ -49,7 +49,7 @@
 namespace fenestra::viewer {
 namespace {
 
-constexpr int layoutVersion = 5;  ///< of docks and toolbars; layouts saved with another version are ignored
+constexpr int layoutVersion = 6;  ///< of docks and toolbars; layouts saved with another version are ignored
 
 /// Adds what the window derives from the voxels. Runs in the background, after the study was read.
 void prepare(io::Study& study) {
@@ -94,6 +94,7 @@ MainWindow::MainWindow(const Setup& setup, QWidget* parent)
   panels_ = makePanels(*this, workspace_);
   archive_ = new ArchiveDock(*this, workspace_, loader_.job(), [this](const auto& folder) { files_->open({folder}); });
   guide_ = new Guide(*this);
+  connect(panels_.folding, &DockFolding::opened, guide_, &Guide::opened);
   connect(welcome_, &WelcomePage::guideRequested, guide_, [this] { guide_->open(); });
   actions_ =
       new Actions({*this, workspace_, loader_, grower_, *files_, *exports_, *pictures_, *verification_, *sessions_,

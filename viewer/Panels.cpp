@@ -88,7 +88,7 @@ Panels makePanels(QMainWindow& window, Workspace& workspace) {
                 .tags = new TagsPanel(document, workspace.cursor, workspace.planes, workspace.options),
                 .labelTable = new LabelTable(document, workspace.placement, workspace.cursor),
                 .keyImages = new KeyImagesPanel(document, workspace.keyImages),
-                .reformat = new ReformatPanel(document, workspace.path),
+                .reformat = new ReformatPanel(document, workspace.path, workspace.pathCameras, workspace.options),
                 .heights = nullptr,
                 .seriesDock = nullptr,
                 .folding = nullptr};
@@ -96,36 +96,30 @@ Panels makePanels(QMainWindow& window, Workspace& workspace) {
     return addDock(window, Qt::RightDockWidgetArea, title, name, panel);
   };
   window.setTabPosition(Qt::LeftDockWidgetArea | Qt::RightDockWidgetArea, QTabWidget::North);
-  auto* focusScroller = new ScrollingPanel;  // a grown region adds rows, for which the window must not grow
-  focusScroller->setBody(panels.focus);
-  QDockWidget* focus = add(PanelsWords::tr("Focus"), "focusDock", focusScroller);
-  window.tabifyDockWidget(focus, add(PanelsWords::tr("Cameras"), "camerasDock", panels.cameras));
-  QDockWidget* brush = add(PanelsWords::tr("Brush"), "brushDock", panels.brush);
-  window.tabifyDockWidget(focus, brush);
+  // One column of sections in the order of work: the structure, the opening, the look, the cameras.
+  QDockWidget* focus = add(PanelsWords::tr("Focus"), "focusDock", panels.focus);
+  auto* cutawayScroller = new ScrollingPanel;
+  cutawayScroller->setBody(panels.cutaway);
+  QDockWidget* cutaway = add(PanelsWords::tr("Cutaway"), "cutawayDock", cutawayScroller);
+  window.tabifyDockWidget(cutaway, add(PanelsWords::tr("Context edges"), "contextLayerDock", panels.contextLayer));
   QDockWidget* clipping = add(PanelsWords::tr("Clipping"), "clippingDock", panels.clipping);
-  window.tabifyDockWidget(focus, clipping);
+  window.tabifyDockWidget(cutaway, clipping);
   QObject::connect(clipping, &QDockWidget::visibilityChanged, &workspace.options, &ViewOptions::setClipHandles);
-  focus->raise();
+  QDockWidget* brush = add(PanelsWords::tr("Brush"), "brushDock", panels.brush);
+  window.tabifyDockWidget(cutaway, brush);
+  cutaway->raise();
   QObject::connect(&workspace.brush, &Brush::activeChanged, brush, [brush](bool active) {
     if (!active) return;
     brush->show();
     brush->raise();
   });
   QDockWidget* context = add(PanelsWords::tr("Context"), "contextDock", panels.appearance);
-  window.tabifyDockWidget(context, add(PanelsWords::tr("Context edges"), "contextLayerDock", panels.contextLayer));
-  context->raise();
-  auto* cutawayScroller = new ScrollingPanel;
-  cutawayScroller->setBody(panels.cutaway);
-  cutawayScroller->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
-  QDockWidget* cutaway = add(PanelsWords::tr("Cutaway"), "cutawayDock", cutawayScroller);
+  QDockWidget* cameras = add(PanelsWords::tr("Cameras"), "camerasDock", panels.cameras);
   window.resizeDocks({focus}, {310}, Qt::Horizontal);
   addLists(window, panels);
-  // The list of structures takes the remaining height.
-  panels.heights = new DockHeights(window, {focus, context, cutaway});
   const QList<QDockWidget*> docks = window.findChildren<QDockWidget*>();
   panels.folding = new DockFolding(window, {docks.begin(), docks.end()});
-  // Queued: the panels have their new hints once the layout has seen what was hidden.
-  QObject::connect(panels.folding, &DockFolding::changed, panels.heights, &DockHeights::reset, Qt::QueuedConnection);
+  panels.heights = new DockHeights(window, *panels.folding, {focus, cutaway, context, cameras});
   QObject::connect(&workspace.brush, &Brush::activeChanged, brush, [brush, folding = panels.folding](bool active) {
     if (active) folding->setFolded(*brush, false);
   });

@@ -16,6 +16,7 @@
 #include "app/cli/ReadBesideContext.h"
 #include "app/cli/Report.h"
 #include "app/cli/SliceFile.h"
+#include "io/base/Words.h"
 #include "io/study/ReadStudy.h"
 #include "rendering/egl/EglContext.h"
 #include "rendering/gpu/FocusIndexing.h"
@@ -37,18 +38,6 @@ const char* nameOf(SlicePlane plane) {
       break;
   }
   return "coronal";
-}
-
-const char* nameOf(SlabMode mode) {
-  switch (mode) {
-    case SlabMode::Maximum:
-      return "max";
-    case SlabMode::Minimum:
-      return "min";
-    case SlabMode::Mean:
-      break;
-  }
-  return "mean";
 }
 
 std::string text(glm::dvec3 v) {
@@ -168,7 +157,7 @@ Json describe(const SliceOptions& options, const ChosenSlice& chosen, const Grid
                    {"bottom", orientationLetters(g.down)}};
   json["slab"] = nullptr;
   if (options.slab.thickness > 0.0)
-    json["slab"] = {{"mm", options.slab.thickness}, {"mode", nameOf(options.slab.mode)}};
+    json["slab"] = {{"mm", options.slab.thickness}, {"mode", wordOf(options.slab.mode).word}};
   json["interpolation"] = isVoxels ? "none" : "trilinear";
   return json;
 }

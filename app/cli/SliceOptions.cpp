@@ -8,6 +8,7 @@
 #include "app/cli/Commands.h"
 #include "app/options/Numbers.h"
 #include "io/base/Text.h"
+#include "io/base/Words.h"
 
 namespace fenestra::cli {
 namespace {
@@ -20,9 +21,8 @@ Slab slabIn(const std::string& text) {
   const std::optional<double> mm = parts.size() == 2 ? app::parseNumber<double>(parts[0]) : std::nullopt;
   if (!mm) throw app::WrongValue{"\"" + text + "\" is not of the form MM:max|min|mean, for example 10:max"};
   if (*mm < 0.0) throw app::WrongValue{"a slab of " + parts[0] + " mm: its thickness must be 0 or more"};
-  if (parts[1] == "max") return {*mm, SlabMode::Maximum};
-  if (parts[1] == "min") return {*mm, SlabMode::Minimum};
-  if (parts[1] == "mean") return {*mm, SlabMode::Mean};
+  for (const Word<SlabMode>& word : wordsOf(SlabMode{}))
+    if (parts[1] == word.word) return {*mm, word.value};
   throw app::WrongValue{"\"" + parts[1] + "\" is none of max, min and mean"};
 }
 

@@ -3,6 +3,7 @@
 
 #include "io/base/Regularise.h"
 #include "rendering/vocabulary/Word.h"
+#include "rendering/volume/Slab.h"
 #include "rendering/volume/Volume.h"
 
 // Found by argument-dependent lookup, hence in the namespaces of what they are about.
@@ -14,6 +15,11 @@ constexpr auto wordsOf(Modality) {
                                         {Modality::PT, "PT"},
                                         {Modality::US, "US"},
                                         {Modality::Unknown, "other"}});
+}
+
+constexpr auto wordsOf(SlabMode) {
+  return std::to_array<Word<SlabMode>>(
+      {{SlabMode::Maximum, "max"}, {SlabMode::Minimum, "min"}, {SlabMode::Mean, "mean"}});
 }
 
 namespace io {

@@ -145,6 +145,7 @@ struct Session {
   std::array<SessionPlane, 3> planes;  ///< axial, sagittal, coronal
   std::vector<Measure> measures;       ///< on the slices
   std::vector<glm::dvec3> path;        ///< of the straightened picture, LPS, mm; empty: none
+  bool followsPath = false;            ///< both cameras go along the path with its place
   std::vector<KeyImage> keyImages;     ///< in the user's order
   std::string maximised;               ///< the view that has the whole area: "C1", "C2", "axial", …; empty: none
   std::string layout;                  ///< the window's own, in Base64

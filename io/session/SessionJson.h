@@ -38,11 +38,6 @@ void members(auto& io, Is<Measure> auto& measure) {
   io.optional("text", measure.text, !measure.text.empty(), {}, {"Of an arrow or a text, at most 400 bytes of UTF-8"});
 }
 
-inline auto wordsOf(SlabMode) {
-  return std::to_array<Word<SlabMode>>(
-      {{SlabMode::Maximum, "max"}, {SlabMode::Minimum, "min"}, {SlabMode::Mean, "mean"}});
-}
-
 void members(auto& io, Is<PlaneAxes> auto& axes) {
   io.required("right", axes.right, {-1.0, 1.0}, {"Unit vector along the rows, in the patient (LPS)"});
   io.required("down", axes.down, {-1.0, 1.0}, {"Unit vector down the columns"});
@@ -230,6 +225,8 @@ void members(auto& io, Is<Session> auto& session) {
   io("measures", session.measures, {}, {"Distances, angles, regions, arrows and texts on the slices"});
   io.optional("path", session.path, !session.path.empty(), millimetres,
               {"Points that the straightened picture follows, at least two, in the patient's mm (LPS)"});
+  io.optional("follows_path", session.followsPath, session.followsPath, {},
+              {"Whether both cameras go along the path with its place"});
   io.optional("key_images", session.keyImages, !session.keyImages.empty(), {},
               {"States of the window that one returns to, in the user's order"});
   io.optional("maximised", session.maximised, !session.maximised.empty(), {},

@@ -6,6 +6,8 @@
 #include <numbers>
 #include <utility>
 
+#include "rendering/volume/Threads.h"
+
 namespace fenestra::reformat {
 namespace {
 
@@ -24,7 +26,8 @@ void keepLargest(VoxelRegion& region) {
     while (!waiting.empty()) {
       const std::size_t at = waiting.back();
       waiting.pop_back();
-      ++count;
+      // A look at each voxel would cost more than its neighbours do.
+      if (++count % 4096 == 0) interruptionPoint();
       const auto row = static_cast<std::size_t>(dims.x), plane = row * static_cast<std::size_t>(dims.y);
       const glm::ivec3 voxel(static_cast<int>(at % row), static_cast<int>(at % plane / row),
                              static_cast<int>(at / plane));
@@ -132,13 +135,15 @@ VoxelRegion regionOf(const LabelMap& labels, std::span<const std::uint16_t> valu
   labels.voxels.visit([&](auto scalars) {
     const auto isWanted = [&](std::size_t at) { return wanted[static_cast<std::uint16_t>(scalars[at])]; };
     std::size_t at = 0;
-    for (int z = 0; z < grid.dims.z; ++z)
+    for (int z = 0; z < grid.dims.z; ++z) {
+      interruptionPoint();
       for (int y = 0; y < grid.dims.y; ++y)
         for (int x = 0; x < grid.dims.x; ++x, ++at)
           if (isWanted(at)) {
             first = glm::min(first, {x, y, z});
             last = glm::max(last, {x, y, z});
           }
+    }
     if (last.x < 0) return;
     first = glm::max(first - 1, glm::ivec3(0));
     last = glm::min(last + 1, grid.dims - 1);
@@ -146,9 +151,11 @@ VoxelRegion regionOf(const LabelMap& labels, std::span<const std::uint16_t> valu
     region.grid.dims = last - first + 1;
     region.grid.origin = glm::dvec3(grid.worldFromIndex() * glm::dvec4(first, 1.0));
     region.toIndex = glm::dmat3(region.grid.indexFromWorld());
-    for (int z = first.z; z <= last.z; ++z)
+    for (int z = first.z; z <= last.z; ++z) {
+      interruptionPoint();
       for (int y = first.y; y <= last.y; ++y)
         for (int x = first.x; x <= last.x; ++x) region.inside.push_back(isWanted(grid.offset({x, y, z})));
+    }
   });
   if (!region.isEmpty()) keepLargest(region);
   return region;

@@ -25,7 +25,7 @@ struct VoxelRegion {
 };
 
 /// The largest 26-connected part of the voxels with one of `values`; among equal ones the first in memory. Empty where
-/// there are none.
+/// there are none. Can be stopped (Interruptible).
 VoxelRegion regionOf(const LabelMap& labels, std::span<const std::uint16_t> values);
 
 /// The part of a region's cross-section that is connected with its place of a curve.

@@ -510,6 +510,14 @@
         <source>move along the path</source>
         <translation>am Pfad entlanggehen</translation>
     </message>
+    <message>
+        <source>Drag a point</source>
+        <translation>Punkt ziehen</translation>
+    </message>
+    <message>
+        <source>move it</source>
+        <translation>ihn verschieben</translation>
+    </message>
 </context>
 <context>
     <name>Fidelity</name>
@@ -4622,7 +4630,7 @@ Kosinus des Winkels zur nächsten der sechs</translation>
     </message>
     <message>
         <source>Folds this panel to its title, so that others have more room</source>
-        <translation>Klappt dieses Panel auf seinen Titel ein, damit die darüber mehr Platz haben</translation>
+        <translation>Klappt dieses Panel auf seinen Titel ein, damit andere mehr Platz haben</translation>
     </message>
 </context>
 <context>
@@ -5454,10 +5462,21 @@ Voxel außerhalb des Aufgenommenen: %8</translation>
     </message>
 </context>
 <context>
+    <name>fenestra::viewer::PathCameras</name>
+    <message>
+        <source>Cameras follow the path</source>
+        <translation>Kameras folgen dem Pfad</translation>
+    </message>
+</context>
+<context>
     <name>fenestra::viewer::PathMode</name>
     <message>
         <source>Draw a path</source>
         <translation>Pfad zeichnen</translation>
+    </message>
+    <message>
+        <source>Move a point of the path</source>
+        <translation>Punkt des Pfades verschieben</translation>
     </message>
 </context>
 <context>
@@ -5897,6 +5916,14 @@ Aus: erst die beste Ansicht, dann die beste daneben</translation>
     <message>
         <source>No structure in focus here: no area</source>
         <translation>Keine Struktur im Fokus hier: keine Fläche</translation>
+    </message>
+    <message>
+        <source>Cameras follow</source>
+        <translation>Kameras folgen</translation>
+    </message>
+    <message>
+        <source>Both cameras keep the place on the path in the middle of their pictures as you move along it</source>
+        <translation>Beide Kameras halten die Stelle des Pfades in der Mitte ihrer Bilder, während Sie ihn entlanggehen</translation>
     </message>
 </context>
 <context>

@@ -510,6 +510,14 @@
         <source>move along the path</source>
         <translation>avanzar por el trayecto</translation>
     </message>
+    <message>
+        <source>Drag a point</source>
+        <translation>Arrastrar un punto</translation>
+    </message>
+    <message>
+        <source>move it</source>
+        <translation>moverlo</translation>
+    </message>
 </context>
 <context>
     <name>Fidelity</name>
@@ -4622,7 +4630,7 @@ Coseno del ángulo con la más próxima de las seis</translation>
     </message>
     <message>
         <source>Folds this panel to its title, so that others have more room</source>
-        <translation>Pliega este panel a su título, para dar más sitio a los de arriba</translation>
+        <translation>Pliega este panel a su título, para dar más sitio a los demás</translation>
     </message>
 </context>
 <context>
@@ -5454,10 +5462,21 @@ Vóxeles fuera de lo adquirido: %8</translation>
     </message>
 </context>
 <context>
+    <name>fenestra::viewer::PathCameras</name>
+    <message>
+        <source>Cameras follow the path</source>
+        <translation>Las cámaras siguen el trayecto</translation>
+    </message>
+</context>
+<context>
     <name>fenestra::viewer::PathMode</name>
     <message>
         <source>Draw a path</source>
         <translation>Dibujar un trayecto</translation>
+    </message>
+    <message>
+        <source>Move a point of the path</source>
+        <translation>Mover un punto del trayecto</translation>
     </message>
 </context>
 <context>
@@ -5897,6 +5916,14 @@ Desactivado: primero la mejor vista, luego la mejor junto a ella</translation>
     <message>
         <source>No structure in focus here: no area</source>
         <translation>Aquí no hay estructura en foco: sin área</translation>
+    </message>
+    <message>
+        <source>Cameras follow</source>
+        <translation>Las cámaras siguen</translation>
+    </message>
+    <message>
+        <source>Both cameras keep the place on the path in the middle of their pictures as you move along it</source>
+        <translation>Ambas cámaras mantienen el lugar del trayecto en el centro de sus imágenes mientras lo recorre</translation>
     </message>
 </context>
 <context>

@@ -510,6 +510,14 @@
         <source>move along the path</source>
         <translation>parcourir le trajet</translation>
     </message>
+    <message>
+        <source>Drag a point</source>
+        <translation>Glisser un point</translation>
+    </message>
+    <message>
+        <source>move it</source>
+        <translation>le déplacer</translation>
+    </message>
 </context>
 <context>
     <name>Fidelity</name>
@@ -4622,7 +4630,7 @@ Cosinus de l&apos;angle avec la plus proche des six</translation>
     </message>
     <message>
         <source>Folds this panel to its title, so that others have more room</source>
-        <translation>Replie ce panneau sur son titre, pour laisser plus de place à ceux du dessus</translation>
+        <translation>Replie ce panneau sur son titre, pour laisser plus de place aux autres</translation>
     </message>
 </context>
 <context>
@@ -5454,10 +5462,21 @@ Voxels hors de ce qui a été acquis&#xa0;: %8</translation>
     </message>
 </context>
 <context>
+    <name>fenestra::viewer::PathCameras</name>
+    <message>
+        <source>Cameras follow the path</source>
+        <translation>Les caméras suivent le trajet</translation>
+    </message>
+</context>
+<context>
     <name>fenestra::viewer::PathMode</name>
     <message>
         <source>Draw a path</source>
         <translation>Tracer un trajet</translation>
+    </message>
+    <message>
+        <source>Move a point of the path</source>
+        <translation>Déplacer un point du trajet</translation>
     </message>
 </context>
 <context>
@@ -5897,6 +5916,14 @@ Sinon&#xa0;: d&apos;abord la meilleure vue, puis la meilleure à côté</transla
     <message>
         <source>No structure in focus here: no area</source>
         <translation>Pas de structure ciblée ici&#xa0;: pas d&apos;aire</translation>
+    </message>
+    <message>
+        <source>Cameras follow</source>
+        <translation>Les caméras suivent</translation>
+    </message>
+    <message>
+        <source>Both cameras keep the place on the path in the middle of their pictures as you move along it</source>
+        <translation>Les deux caméras gardent la position du trajet au milieu de leurs images quand vous le parcourez</translation>
     </message>
 </context>
 <context>

@@ -510,6 +510,14 @@
         <source>move along the path</source>
         <translation>沿路径移动</translation>
     </message>
+    <message>
+        <source>Drag a point</source>
+        <translation>拖动点</translation>
+    </message>
+    <message>
+        <source>move it</source>
+        <translation>移动该点</translation>
+    </message>
 </context>
 <context>
     <name>Fidelity</name>
@@ -4621,7 +4629,7 @@ Cosine of the angle to the nearest of the six</source>
     </message>
     <message>
         <source>Folds this panel to its title, so that others have more room</source>
-        <translation>将此面板折叠为标题，为上方面板腾出空间</translation>
+        <translation>将此面板折叠为标题，为其他面板腾出空间</translation>
     </message>
 </context>
 <context>
@@ -5451,10 +5459,21 @@ Voxels outside of what was scanned: %8</source>
     </message>
 </context>
 <context>
+    <name>fenestra::viewer::PathCameras</name>
+    <message>
+        <source>Cameras follow the path</source>
+        <translation>相机跟随路径</translation>
+    </message>
+</context>
+<context>
     <name>fenestra::viewer::PathMode</name>
     <message>
         <source>Draw a path</source>
         <translation>绘制路径</translation>
+    </message>
+    <message>
+        <source>Move a point of the path</source>
+        <translation>移动路径上的点</translation>
     </message>
 </context>
 <context>
@@ -5892,6 +5911,14 @@ Off: first the best view, then the best one beside it</source>
     <message>
         <source>No structure in focus here: no area</source>
         <translation>此处没有焦点结构：无面积</translation>
+    </message>
+    <message>
+        <source>Cameras follow</source>
+        <translation>相机跟随</translation>
+    </message>
+    <message>
+        <source>Both cameras keep the place on the path in the middle of their pictures as you move along it</source>
+        <translation>沿路径移动时，两台相机都使路径上的位置保持在图像中央</translation>
     </message>
 </context>
 <context>

@@ -205,7 +205,7 @@ TEST_F(ClippingWindow, HandlesShowWhileThePanelIsInSight) {
   EXPECT_TRUE(options().clipHandles());
   crop({-30, -30, -30}, {30, 30, 30});
   EXPECT_EQ(volume(0)->clipTool().handles().size(), 6u);
-  window_->findChild<QDockWidget*>(QStringLiteral("focusDock"))->raise();
+  window_->findChild<QDockWidget*>(QStringLiteral("cutawayDock"))->raise();
   EXPECT_TRUE(QTest::qWaitFor([&] { return volume(0)->clipTool().handles().empty(); }, patience));
   EXPECT_TRUE(slice(SlicePlane::Axial)->clipTool().handles().empty());
 }

@@ -65,10 +65,8 @@ TEST_F(GuideOfWindow, F1OpensThePageOfWhatHasTheFocus) {
 
 TEST_F(GuideOfWindow, F1OpensThePageOfTheTabThatWasBroughtToTheFront) {
   slice(SlicePlane::Axial)->setFocus();
-  for (const auto& [name, file] : {std::pair{"camerasDock", "cameras.md"},
-                                   {"brushDock", "brush.md"},
-                                   {"clippingDock", "opening.md"},
-                                   {"contextLayerDock", "opening.md"}}) {
+  for (const auto& [name, file] :
+       {std::pair{"brushDock", "brush.md"}, {"clippingDock", "opening.md"}, {"contextLayerDock", "opening.md"}}) {
     QDockWidget* raised = dock(name);
     raised->raise();
     ASSERT_TRUE(QTest::qWaitFor([raised] { return !raised->visibleRegion().isEmpty(); }, patience));
@@ -77,6 +75,12 @@ TEST_F(GuideOfWindow, F1OpensThePageOfTheTabThatWasBroughtToTheFront) {
     EXPECT_EQ(page().toStdString(), file) << name;
     QApplication::setActiveWindow(window_.get());
   }
+  QDockWidget* cameras = dock("camerasDock");
+  auto* fold = cameras->findChild<QToolButton*>(QStringLiteral("fold"));
+  if (!cameras->widget()->isHidden()) fold->click();
+  fold->click();
+  window_->guide().open();
+  EXPECT_EQ(page().toStdString(), "cameras.md") << "a panel that was folded";
 }
 
 TEST_F(GuideOfWindow, EveryDockAndViewHasAPageWithItsHeading) {

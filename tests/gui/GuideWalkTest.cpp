@@ -157,8 +157,7 @@ TEST_F(GuideWalk, ThePanelsAreThoseOfTheGuide) {
                                       {"brushDock", "panel-brush"},
                                       {"camerasDock", "panel-cameras"},
                                       {"contextDock", "panel-context"}}) {
-    dock(name)->show();
-    dock(name)->raise();
+    bringUp(name);
     QTest::qWait(50);
     if (QWidget* focused = QApplication::focusWidget()) focused->clearFocus();  // no frame around it
     waitUntilDrawn();

@@ -73,8 +73,10 @@ TEST_F(KeyImageList, AClickBringsBackAllThatThePicturesAreMadeOf) {
   EXPECT_TRUE(document().isInverted());
   document().undoStack().undo();
   EXPECT_NE(cameras().pose().cameras, pose.cameras) << "going back is undone";
-  document().undoStack().undo();
-  EXPECT_TRUE(document().isFocused(body));
+  EXPECT_TRUE(document().isFocused(body)) << "in one step";
+  document().undoStack().redo();
+  EXPECT_EQ(cameras().pose().cameras, pose.cameras);
+  EXPECT_EQ(document().look(), look);
 }
 
 TEST_F(KeyImageList, TheCamerasStayThoughTheFocusPlacesThem) {

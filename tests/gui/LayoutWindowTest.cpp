@@ -1,18 +1,30 @@
 // The window's size and panels: on every screen, with what a user needs in sight.
 
+#include <algorithm>
+#include <initializer_list>
+#include <memory>
+
 #include <QAction>
 #include <QApplication>
+#include <QComboBox>
 #include <QDockWidget>
 #include <QScreen>
+#include <QScrollArea>
+#include <QScrollBar>
 #include <QSignalSpy>
 #include <QTest>
 #include <QToolButton>
 
+#include "rendering/methods/Method.h"
+#include "tests/gui/CutTexts.h"
 #include "tests/gui/WindowFixture.h"
 #include "viewer/panels/AppearancePanel.h"
+#include "viewer/panels/CamerasPanel.h"
 #include "viewer/panels/CutawayPanel.h"
 #include "viewer/panels/FocusPanel.h"
 #include "viewer/panels/LabelList.h"
+#include "viewer/panels/RegionPanel.h"
+#include "viewer/panels/SphereMap.h"
 #include "viewer/style/Style.h"
 
 namespace fenestra::viewer::layoutWindowTest {
@@ -81,23 +93,172 @@ TEST_F(Window, EachPanelOfTheColumnHasAUsefulHeight) {
     waitUntilDrawn();
     ASSERT_EQ(window_->size(), size);
     EXPECT_TRUE(isInSight(panel<CutawayPanel>()));
+    const int row = structures.visualRect(structures.model()->index(0, 0)).height();
+    EXPECT_GE(structures.viewport()->visibleRegion().boundingRect().height(), 8 * row);
+    if (size.height() < 1000) continue;
     EXPECT_TRUE(isInSight(*appearance.presets().box()));
     EXPECT_TRUE(isInSight(*appearance.shift()));
-    const int row = structures.visualRect(structures.model()->index(0, 0)).height();
-    EXPECT_GE(structures.viewport()->visibleRegion().boundingRect().height(), 2 * row);
-    EXPECT_GE(appearance.editor().plot().visibleRegion().boundingRect().height(), 40);
-    if (size.height() < 1000) continue;
     EXPECT_TRUE(isInSight(appearance.editor().plot()));
     EXPECT_TRUE(isInSight(*appearance.editor().value()));
-    EXPECT_GE(structures.viewport()->height(), 5 * row);
-    if (size.height() < 1200) continue;
-    EXPECT_TRUE(isInSight(*appearance.findChild<QWidget*>(QStringLiteral("background")))) << "its last row";
   }
+}
+
+namespace {
+
+/// The marked ball with twenty more labels, a voxel each.
+io::Study studyOfManyLabels() {
+  io::Study study = markedBall();
+  const LabelMap& ball = *study.scene.labels;
+  auto labels = std::make_shared<LabelMap>();
+  labels->grid = ball.grid;
+  labels->labels = ball.labels;
+  labels->voxels = Voxels(ScalarType::UInt8, labels->grid.voxelCount());
+  auto marks = labels->voxels.as<std::uint8_t>();
+  const auto from = ball.voxels.as<std::uint8_t>();
+  std::copy(from.begin(), from.end(), marks.begin());
+  for (int more = 3; more < 23; ++more) {
+    marks[labels->grid.offset({more, 4, 4})] = static_cast<std::uint8_t>(more);
+    labels->labels.push_back({static_cast<std::uint16_t>(more), "structure " + std::to_string(more), {1.0, 0.5, 0.2}});
+  }
+  study.scene.labels = labels;
+  return study;
+}
+
+class Sections : public Window {
+ protected:
+  QDockWidget* dock(const char* name) { return window_->findChild<QDockWidget*>(QLatin1String(name)); }
+  bool isOpen(const char* name) { return dock(name)->widget()->isVisible(); }
+  void clickTitle(const char* name) {
+    QTest::mouseClick(dock(name), Qt::LeftButton, {}, QPoint(40, 10));
+    settle();
+  }
+  /// The layout has followed all that it was told.
+  static void settle() {
+    for (int round = 0; round < 5; ++round) {
+      QCoreApplication::sendPostedEvents();
+      QCoreApplication::processEvents();
+    }
+  }
+  int rowsInSight() {
+    LabelList& list = *panel<FocusPanel>().list();
+    return list.viewport()->visibleRegion().boundingRect().height() /
+           list.visualRect(list.model()->index(0, 0)).height();
+  }
+  /// Controls of a panel that are cut off, with their names.
+  QStringList cutOff(const QWidget& panel) {
+    QStringList found;
+    for (const QWidget* child : panel.findChildren<QWidget*>())
+      if (child->focusPolicy() != Qt::NoFocus && child->isVisibleTo(&panel) && !isInSight(*child))
+        found << placeOf(child);
+    return found;
+  }
+  QPoint placeInWindow(const QWidget& widget) { return widget.mapTo(window_.get(), QPoint(0, 0)); }
+  /// No control moves when a method with other rows is chosen, also where the panel is scrolled down.
+  void expectMethodStays(QComboBox& method, QScrollArea& scroller) {
+    for (const bool down : {false, true})
+      for (int kind = 1; kind <= method.count(); ++kind) {
+        scroller.verticalScrollBar()->setValue(down ? scroller.verticalScrollBar()->maximum() : 0);
+        const QPoint box = placeInWindow(method), title = placeInWindow(*dock("cutawayDock"));
+        method.setCurrentIndex(kind % method.count());
+        Q_EMIT method.activated(method.currentIndex());
+        settle();
+        EXPECT_EQ(placeInWindow(method), box) << method.currentText().toStdString();
+        EXPECT_EQ(placeInWindow(*dock("cutawayDock")), title) << method.currentText().toStdString();
+      }
+    scroller.verticalScrollBar()->setValue(0);
+  }
+  void expectButtonsStay(FocusPanel& focus) {
+    for (QAbstractButton* button : std::initializer_list<QAbstractButton*>{focus.byValue(), focus.paint()}) {
+      focus.ensureWidgetVisible(button);
+      settle();
+      const QPoint place = placeInWindow(*button);
+      for (int click = 0; click < 2; ++click) {
+        QTest::mouseClick(button, Qt::LeftButton);
+        settle();
+        EXPECT_EQ(placeInWindow(*button), place) << button->text().toStdString();
+      }
+    }
+  }
+};
+
+}  // namespace
+
+/// All that a small laptop's screen must show, and nothing that moves under the mouse.
+TEST_F(Sections, FitASmallLaptop) {
+  open(studyOfManyLabels());
+  document().focusOn(marker);
+  window_->resize(1366, 768);
+  waitUntilDrawn();
+  settle();
+  ASSERT_EQ(window_->size(), QSize(1366, 768));
+  int above = 0;
+  for (const char* name : {"focusDock", "cutawayDock", "contextDock", "camerasDock"}) {
+    EXPECT_GT(dock(name)->y(), above) << name << " in the order of work";
+    EXPECT_TRUE(isInSight(*dock(name))) << name;
+    above = dock(name)->y();
+  }
+  EXPECT_GE(rowsInSight(), 8);
+  CutawayPanel& cutaway = panel<CutawayPanel>();
+  EXPECT_EQ(cutOff(cutaway).join(QLatin1Char(' ')).toStdString(), "");
+  EXPECT_FALSE(isOpen("contextDock"));
+  EXPECT_FALSE(isOpen("camerasDock"));
+
+  auto& method = *cutaway.findChild<QComboBox*>(QStringLiteral("kind"));
+  auto& scroller = dynamic_cast<QScrollArea&>(*dock("cutawayDock")->widget());
+  expectMethodStays(method, scroller);
+
+  // The wheel scrolls the panel, unless the slider has the focus.
+  method.setCurrentIndex(method.findData(static_cast<int>(kindOf<methods::Importance>)));
+  Q_EMIT method.activated(method.currentIndex());
+  settle();
+  SliderSpin& width = *cutaway.findChild<SliderSpin*>(QStringLiteral("border_width"));
+  const double before = width.value();
+  method.setFocus();
+  wheel(width.slider(), -1);
+  EXPECT_EQ(width.value(), before);
+  EXPECT_GT(scroller.verticalScrollBar()->value(), 0);
+  LabelList& list = *panel<FocusPanel>().list();
+  wheel(list.viewport(), -1);
+  EXPECT_GT(list.verticalScrollBar()->value(), 0);
+
+  FocusPanel& focus = panel<FocusPanel>();
+  expectButtonsStay(focus);
+
+  // Another section has the room of the one that is done with, and shows its plot whole.
+  clickTitle("contextDock");
+  EXPECT_TRUE(isOpen("contextDock"));
+  EXPECT_FALSE(isOpen("cutawayDock"));
+  const AppearancePanel& look = panel<AppearancePanel>();
+  EXPECT_TRUE(isInSight(look.editor().plot()));
+  EXPECT_TRUE(isInSight(*look.editor().value()));
+  focus.verticalScrollBar()->setValue(0);
+  EXPECT_GE(rowsInSight(), 8);
+  clickTitle("camerasDock");
+  EXPECT_TRUE(isInSight(*panel<CamerasPanel>().map()));
+  EXPECT_GE(rowsInSight(), 8);
+  clickTitle("cutawayDock");
+  EXPECT_TRUE(isInSight(width));
+
+  // A region's plot comes into sight with it.
+  document().growFrom(markerCentre);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return document().growth() != nullptr; }, patience));
+  settle();
+  EXPECT_TRUE(isInSight(*focus.region()->plot()));
+  EXPECT_TRUE(isInSight(*focus.region()->slider()));
 }
 
 TEST_F(Window, AFoldedPanelKeepsItsTitleAlone) {
   useScratchSettings();
   const MainWindow::Setup setup{.gl = {.problem = QStringLiteral("slices are enough here")}};
+  {
+    QMainWindow older;
+    auto* hidden = new QDockWidget(&older);
+    hidden->setObjectName(QStringLiteral("cutawayDock"));
+    older.addDockWidget(Qt::LeftDockWidgetArea, hidden);
+    hidden->hide();
+    constexpr int version = 5;  // before the panels were one column
+    Preferences().setLayout({}, older.saveState(version), {});
+  }
   {
     MainWindow window(setup);
     QSignalSpy opened(&window, &MainWindow::opened);
@@ -105,22 +266,25 @@ TEST_F(Window, AFoldedPanelKeepsItsTitleAlone) {
     window.resize(1366, 720);  // a small laptop's screen, without the desktop's bar
     window.show();
     ASSERT_TRUE(opened.wait(patience));
-    auto* context = window.findChild<QDockWidget*>(QStringLiteral("contextDock"));
-    auto* fold = context->findChild<QToolButton*>(QStringLiteral("fold"));
+    auto* cutaway = window.findChild<QDockWidget*>(QStringLiteral("cutawayDock"));
+    EXPECT_TRUE(cutaway->isVisible()) << "the layout of an older version is none of this one's";
+    auto* fold = cutaway->findChild<QToolButton*>(QStringLiteral("fold"));
     ASSERT_TRUE(QTest::qWaitFor([&] { return isInSight(*fold); }, patience));
     QTest::mouseClick(fold, Qt::LeftButton);
-    EXPECT_TRUE(QTest::qWaitFor([&] { return context->height() < 40; }, patience)) << context->height();
-    EXPECT_TRUE(isInSight(*window.findChild<SliderSpin*>(QStringLiteral("open_width")))) << "others stay";
+    EXPECT_TRUE(QTest::qWaitFor([&] { return cutaway->height() < 40; }, patience)) << cutaway->height();
+    EXPECT_TRUE(
+        QTest::qWaitFor([&] { return isInSight(window.findChild<AppearancePanel*>()->editor().plot()); }, patience))
+        << "another has its room";
     window.close();
   }
   MainWindow again(setup);
   again.show();
   ASSERT_TRUE(QTest::qWaitForWindowExposed(&again, patience));
-  auto* context = again.findChild<QDockWidget*>(QStringLiteral("contextDock"));
-  EXPECT_TRUE(context->widget()->isHidden()) << "the next start has it folded";
-  context->findChild<QToolButton*>(QStringLiteral("fold"))->click();
-  EXPECT_FALSE(context->widget()->isHidden());
-  EXPECT_TRUE(QTest::qWaitFor([&] { return context->height() > 150; }, patience));
+  auto* cutaway = again.findChild<QDockWidget*>(QStringLiteral("cutawayDock"));
+  EXPECT_TRUE(cutaway->widget()->isHidden()) << "the next start has it folded";
+  cutaway->findChild<QToolButton*>(QStringLiteral("fold"))->click();
+  EXPECT_FALSE(cutaway->widget()->isHidden());
+  EXPECT_TRUE(QTest::qWaitFor([&] { return cutaway->height() > 150; }, patience));
 }
 
 TEST_F(Window, HeightsOfPanelsAreTheUsersOnceABorderWasDragged) {
@@ -134,7 +298,8 @@ TEST_F(Window, HeightsOfPanelsAreTheUsersOnceABorderWasDragged) {
     ASSERT_TRUE(QTest::qWaitForWindowExposed(&window, patience));
     const std::vector<int> first = dockHeights(window);
     auto* context = window.findChild<QDockWidget*>(QStringLiteral("contextDock"));
-    window.resizeDocks({context}, {first[1] - 60}, Qt::Vertical);  // as dragging its border does
+    const QPoint border(context->geometry().center().x(), context->y() - 3);
+    drag(&window, border, border + QPoint(0, 60));
     QCoreApplication::processEvents();
     chosen = dockHeights(window);
     ASSERT_LT(chosen[1], first[1] - 30);

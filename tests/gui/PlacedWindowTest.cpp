@@ -22,8 +22,7 @@ class PlacedWindow : public Window {
   void SetUp() override {
     Window::SetUp();
     setAutomatic(true);
-    auto* dock = window_->findChild<QDockWidget*>(QStringLiteral("camerasDock"));
-    dock->raise();
+    bringUp("camerasDock");
     cursor().moveTo(markerCentre);
     SliceView* axial = slice(SlicePlane::Axial);
     QTest::mouseClick(axial, Qt::LeftButton, {}, axial->widgetFromWorld(markerCentre).toPoint());

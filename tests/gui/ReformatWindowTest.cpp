@@ -10,6 +10,7 @@
 #include <QDockWidget>
 #include <QPushButton>
 #include <QTest>
+#include <QToolButton>
 
 #include "io/session/SessionFile.h"
 #include "rendering/reformat/Straighten.h"
@@ -25,43 +26,49 @@ namespace fenestra::viewer {
 void Conventions::addReformatGestures(Cases& cases) {
   const std::string path = "The path of the curved reformat, on the slices: ";
   const std::string pictures = "The pictures of the curved reformat: ";
-  cases[path + "Clicks, as it is being drawn"] = cases[path + "Backspace"] = cases[pictures + "Click"] =
-      cases[pictures + "Drag"] = cases[pictures + "Wheel, arrows, Page, Home and End keys"] = [this] {
-        PathMode& mode = window_->workspace().path;
-        const double z = cursor().position().z;
-        press("S");
-        waitUntilDrawn();
-        for (const glm::dvec3 point : {glm::dvec3(-30, 0, z), {30, 0, z}, {0, 20, z}})
-          QTest::mouseClick(axial(), Qt::LeftButton, {}, at(point));
-        QTest::keyClick(axial(), Qt::Key_Backspace);
-        QTest::keyClick(axial(), Qt::Key_Return);
-        ASSERT_EQ(document().path().size(), 2u);
-        waitUntilDrawn();
-        ReformatPicture& picture = panel<ReformatPanel>().straight();
-        const double all = mode.curve().length();
-        for (const auto& [key, place] : {std::pair(Qt::Key_Home, 0.0),
-                                         {Qt::Key_Right, 2.0},
-                                         {Qt::Key_PageDown, 22.0},
-                                         {Qt::Key_Left, 20.0},
-                                         {Qt::Key_PageUp, 0.0},
-                                         {Qt::Key_End, all}}) {
-          QTest::keyClick(&picture, key);
-          EXPECT_NEAR(mode.place(), place, 1e-9);
-        }
-        wheel(&picture, 1);
-        EXPECT_NEAR(mode.place(), all - 2.0, 1e-9) << "up the picture";
-        const QPoint middle = picture.shownIn().center().toPoint();
-        QTest::mouseClick(&picture, Qt::LeftButton, {}, middle);
-        EXPECT_NEAR(mode.place(), 0.5 * all, 3.0) << "to a voxel and a pixel";
-        const WindowLevel before = document().window();
-        drag(&picture, middle, middle + QPoint(20, 20));
-        EXPECT_GT(document().window().width, before.width);
-        EXPECT_GT(document().window().level, before.level);
-        document().setPath({}, {});
-        document().setWindow(before);
-        window_->findChild<QWidget*>(QStringLiteral("reformatDock"))->hide();
-        waitUntilDrawn();
-      };
+  cases[path + "Clicks, as it is being drawn"] = cases[path + "Backspace"] = cases[path + "Drag a point"] =
+      cases[pictures + "Click"] = cases[pictures + "Drag"] =
+          cases[pictures + "Wheel, arrows, Page, Home and End keys"] = [this] {
+            PathMode& mode = window_->workspace().path;
+            const double z = cursor().position().z;
+            press("S");
+            waitUntilDrawn();
+            for (const glm::dvec3 point : {glm::dvec3(-30, 0, z), {30, 0, z}, {0, 20, z}})
+              QTest::mouseClick(axial(), Qt::LeftButton, {}, at(point));
+            QTest::keyClick(axial(), Qt::Key_Backspace);
+            QTest::keyClick(axial(), Qt::Key_Return);
+            ASSERT_EQ(document().path().size(), 2u);
+            waitUntilDrawn();
+            const glm::dvec3 end = document().path()[1];
+            drag(axial(), at(end), at(end + glm::dvec3(0, 10, 0)));
+            EXPECT_LT(glm::distance(document().path()[1], end + glm::dvec3(0, 10, 0)), 1.5) << "to a pixel";
+            document().undoStack().undo();
+            EXPECT_EQ(document().path()[1], end) << "one step";
+            ReformatPicture& picture = panel<ReformatPanel>().straight();
+            const double all = mode.curve().length();
+            for (const auto& [key, place] : {std::pair(Qt::Key_Home, 0.0),
+                                             {Qt::Key_Right, 2.0},
+                                             {Qt::Key_PageDown, 22.0},
+                                             {Qt::Key_Left, 20.0},
+                                             {Qt::Key_PageUp, 0.0},
+                                             {Qt::Key_End, all}}) {
+              QTest::keyClick(&picture, key);
+              EXPECT_NEAR(mode.place(), place, 1e-9);
+            }
+            wheel(&picture, 1);
+            EXPECT_NEAR(mode.place(), all - 2.0, 1e-9) << "up the picture";
+            const QPoint middle = picture.shownIn().center().toPoint();
+            QTest::mouseClick(&picture, Qt::LeftButton, {}, middle);
+            EXPECT_NEAR(mode.place(), 0.5 * all, 3.0) << "to a voxel and a pixel";
+            const WindowLevel before = document().window();
+            drag(&picture, middle, middle + QPoint(20, 20));
+            EXPECT_GT(document().window().width, before.width);
+            EXPECT_GT(document().window().level, before.level);
+            document().setPath({}, {});
+            document().setWindow(before);
+            window_->findChild<QWidget*>(QStringLiteral("reformatDock"))->hide();
+            waitUntilDrawn();
+          };
 }
 
 }  // namespace fenestra::viewer
@@ -98,6 +105,39 @@ class ReformatWindow : public Conventions {
   PathMode& path() { return window_->workspace().path; }
   ReformatPanel& reformat() { return panel<ReformatPanel>(); }
   void click(glm::dvec3 world) { QTest::mouseClick(axial(), Qt::LeftButton, {}, at(world)); }
+  void expectCamerasFollow(double half) {
+    // The cameras go along when they are asked to, which is one step; moves along the path are none.
+    const ViewLink::Pose pose = cameras().pose();
+    QTest::keyClick(&reformat().straight(), Qt::Key_Home);
+    EXPECT_EQ(cameras().pose(), pose);
+    reformat().camerasFollow()->click();
+    const int steps = document().undoStack().index();
+    path().setPlace(half);
+    for (int view = 0; view < ViewLink::count; ++view) {
+      EXPECT_LT(glm::distance(cameras().camera(view).target, path().curve().place(half).point), 1e-9);
+      EXPECT_LT(
+          glm::distance(directionOf(cameras().camera(view)), directionOf(pose.cameras[static_cast<std::size_t>(view)])),
+          1e-9);
+    }
+    EXPECT_EQ(document().undoStack().index(), steps);
+    EXPECT_EQ(window_->sessions().controller().session().followsPath, true);
+    document().undoStack().undo();
+    EXPECT_EQ(cameras().pose(), pose);
+    reformat().camerasFollow()->click();
+    EXPECT_FALSE(options().followsPath());
+  }
+  void expectNeighboursGoAlong(double z) {
+    // Of a line of many points, those near to the one that is dragged go along.
+    std::vector<glm::dvec3> line;
+    for (int x = -20; x <= 20; x += 2) line.push_back({x, 0, z});
+    path().movePoint(line, 10, {0, 8, 0});
+    const std::vector<glm::dvec3>& moved = document().path();
+    EXPECT_EQ(moved[10], glm::dvec3(0, 8, z));
+    EXPECT_NEAR(moved[11].y, 8.0 * 0.75, 1e-9) << "cos² of a third of a right angle";
+    EXPECT_NEAR(moved[9].y, moved[11].y, 1e-9);
+    EXPECT_EQ(moved[13], line[13]);
+    EXPECT_EQ(moved[0], line[0]);
+  }
   void waitForPictures() {
     ASSERT_TRUE(QTest::qWaitFor([this] { return reformat().isVisible() && !reformat().isBusy(); }, patience));
   }
@@ -107,6 +147,7 @@ TEST_F(ReformatWindow, APathIsClickedStraightenedMovedAlongAndUndone) {
   const double z = cursor().position().z;
   press("S");
   ASSERT_TRUE(path().isDrawing());
+  EXPECT_TRUE(reformat().findChild<QToolButton*>(QStringLiteral("choice"))->isChecked());
   ASSERT_TRUE(QTest::qWaitFor([this] { return reformat().isVisible(); }, patience));
   waitUntilDrawn();  // the dock has taken its room from the views
   const Focus focus = document().focus();
@@ -150,6 +191,9 @@ TEST_F(ReformatWindow, APathIsClickedStraightenedMovedAlongAndUndone) {
   drag(&reformat().straight(), inside.center().toPoint(), inside.center().toPoint() + QPoint(30, 0));
   EXPECT_GT(document().window().width, window.width);
 
+  expectCamerasFollow(half);
+  expectNeighboursGoAlong(z);
+  document().undoStack().undo();
   document().undoStack().undo();
   EXPECT_TRUE(document().path().empty());
   EXPECT_FALSE(path().hasPath());

@@ -178,6 +178,8 @@ std::map<std::string, SettingOwnersWindow::Probe> SettingOwnersWindow::probes() 
       {"Quality at rest",
        {[this] { views().setAtRest(Quality::Draft, 3.0); }, [this] { return views().atRest().maxError == 3.0; }}},
       {"Linked views", {[this] { cameras().setLinked(false); }, [this] { return !cameras().isLinked(); }}},
+      {"Cameras that follow the path",
+       {[this] { options().setFollowsPath(true); }, [this] { return options().followsPath(); }}},
       {"How cameras are placed",
        {[this, placed] { placement().setSettings(placed); },
         [this, placed] { return placement().settings() == placed; }}},

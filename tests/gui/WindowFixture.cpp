@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include <QApplication>
+#include <QDockWidget>
 #include <QDragEnterEvent>
 #include <QDropEvent>
 #include <QMimeData>
@@ -10,6 +11,7 @@
 #include <QSettings>
 #include <QSignalSpy>
 #include <QTest>
+#include <QToolButton>
 #include <QUrl>
 #include <QWheelEvent>
 
@@ -54,6 +56,14 @@ io::Study markedBall() {
   study.scene.labels = labels;
   study.scene.look.context.function.nodes = {{-200.0, {{0.9, 0.6, 0.5}, 0.0}}, {0.0, {{0.9, 0.6, 0.5}, 1.0}}};
   return study;
+}
+
+QDockWidget* Window::bringUp(const char* dock) {
+  auto* found = window_->findChild<QDockWidget*>(QLatin1String(dock));
+  found->show();
+  found->raise();
+  if (found->widget()->isHidden()) found->findChild<QToolButton*>(QStringLiteral("fold"))->click();
+  return found;
 }
 
 void Window::SetUp() {

@@ -15,6 +15,8 @@
 #include "viewer/MainWindow.h"
 #include "viewer/views/ViewArea.h"
 
+class QDockWidget;
+
 namespace fenestra::viewer {
 
 constexpr std::uint16_t body = 1, marker = 2;
@@ -54,6 +56,8 @@ class Window : public testing::Test {
   Panel& panel() {
     return *window_->findChild<Panel*>();
   }
+  /// Shows a dock's contents: before other tabs, and unfolded.
+  QDockWidget* bringUp(const char* dock);
   VolumeView* volume(std::size_t index) { return views().volumeViews().at(index); }
   SliceView* slice(SlicePlane plane) { return views().sliceViews().at(static_cast<std::size_t>(plane)); }
 

@@ -284,6 +284,18 @@ TEST(SessionFile, OpensAnOlderVersion) {
   EXPECT_EQ(io::readSession(file), session);
 }
 
+TEST(SessionFile, OpensOneFromBeforeThereWerePaths) {
+  const fs::path folder = scratchFolder(), file = folder / "a.fenestra";
+  io::Session session = fullSession(folder);
+  session.path = {{1.0, 2.0, 3.0}, {4.0, 5.0, 6.5}};
+  io::writeSession(file, session);
+  Json root = Json::parse(readFile(file));
+  ASSERT_EQ(root.erase("path"), 1u);
+  writeFile(file, root.dump());
+  session.path.clear();
+  EXPECT_EQ(io::readSession(file), session);
+}
+
 TEST(SessionFile, OpensTheOpacityOfLabelsOfVersion3AsThatOf30Millimetres) {
   const fs::path sample = fs::path(FENESTRA_SESSION_SAMPLES) / "version-3.fenestra";
   const io::Session session = io::readSession(sample);

@@ -117,6 +117,7 @@ inline io::Session fullSession(const std::filesystem::path& folder) {
       io::SessionView{someCamera(2.0), {799, 600}, 2.0, false, OpeningView{someCamera(0.25), {321, 123}, 1.5}}};
   session.home = {someCamera(3.0), someCamera(0.5)};
   session.linked = false;
+  session.followsPath = true;
   session.window = WindowLevel{401.5, -39.25};
   session.inverted = true;
   session.crosshair = glm::dvec3(-0.0, 1e-300, 33.3);

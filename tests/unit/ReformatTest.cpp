@@ -10,6 +10,7 @@
 #include "io/VolumeReader.h"
 #include "rendering/reformat/CentreLine.h"
 #include "rendering/reformat/Straighten.h"
+#include "rendering/volume/Threads.h"
 #include "tests/support/Scenes.h"
 #include "tests/support/TestData.h"
 
@@ -252,6 +253,23 @@ TEST(CentreLine, OfWhatIsNoTubeIsEmpty) {
     return glm::distance(glm::dvec3(i), glm::dvec3(23.5)) < 22.0 && std::max({away.x, away.y, away.z}) >= 3.5;
   });
   EXPECT_TRUE(centreLineOf(regionOf(*notched, values)).points.empty());
+}
+
+TEST(CentreLine, ReadingItsRegionCanBeStopped) {
+  const auto labels = labelsOf(tests::gridOf({20, 20, 20}), [](glm::ivec3) { return 1; });
+  const std::vector<std::uint16_t> values{1};
+  int asked = 0, most = 0;
+  const auto read = [&] {
+    asked = 0;
+    const Interruptible work([&] { return ++asked <= most; });
+    regionOf(*labels, values);
+  };
+  most = 1'000'000;
+  read();
+  ASSERT_GT(asked, 2);
+  // Wherever it is: in its first look at the voxels, in the middle, and at its end.
+  const int all = asked;
+  for (most = 0; most < all; most += std::max(1, all / 7)) EXPECT_THROW(read(), Interrupted) << most << " of " << all;
 }
 
 TEST(CentreLine, OfAStraightTubeThatLeavesTheVolume) {

@@ -48,6 +48,8 @@ inline constexpr auto gestures = std::to_array<Gesture>({
      QT_TRANSLATE_NOOP("Dialogs", "add points; Enter or a double click ends it, Esc drops it")},
     {"The path of the curved reformat, on the slices", QT_TRANSLATE_NOOP("Dialogs", "Backspace"),
      QT_TRANSLATE_NOOP("Dialogs", "take the last point away")},
+    {"The path of the curved reformat, on the slices", QT_TRANSLATE_NOOP("Dialogs", "Drag a point"),
+     QT_TRANSLATE_NOOP("Dialogs", "move it")},
     {QT_TRANSLATE_NOOP("Dialogs", "The pictures of the curved reformat"), "Click",
      QT_TRANSLATE_NOOP("Dialogs", "crosshair to that place of the path")},
     {"The pictures of the curved reformat", "Drag",

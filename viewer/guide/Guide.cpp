@@ -42,6 +42,8 @@ Guide::Guide(QMainWindow& window) : QObject(&window), window_(window), place_(QS
 
 GuideWindow* Guide::window() { return shown_; }
 
+void Guide::opened(const QDockWidget* dock) { place_ = placeOf(*dock); }
+
 void Guide::follow(const QWidget* focused) {
   for (; focused; focused = focused->parentWidget()) {
     if (qobject_cast<const VolumeView*>(focused)) place_ = QStringLiteral("cameras");

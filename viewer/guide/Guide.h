@@ -5,6 +5,7 @@
 #include <QObject>
 #include <QPointer>
 
+class QDockWidget;
 class QMainWindow;
 
 namespace fenestra::viewer {
@@ -16,6 +17,8 @@ class Guide : public QObject {
  public:
   /// `window` owns this; it has its menus when the guide is opened, and its docks now.
   explicit Guide(QMainWindow& window);
+  /// The user has opened a dock that was folded: its page is the one to show.
+  void opened(const QDockWidget* dock);
 
   /// The page that open() would show, with a heading after a #.
   const QString& place() const { return place_; }

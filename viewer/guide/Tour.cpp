@@ -5,6 +5,7 @@
 #include <utility>
 
 #include <QApplication>
+#include <QDockWidget>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QMouseEvent>
@@ -276,6 +277,11 @@ void Tour::turn() {
 
 void Tour::widen() {
   const auto* panel = window()->findChild<CutawayPanel*>();
+  for (QWidget* each = panel->parentWidget(); each; each = each->parentWidget())
+    if (auto* dock = qobject_cast<QDockWidget*>(each)) {  // it may be behind another tab
+      dock->show();
+      dock->raise();
+    }
   QSlider* slider = panel->openWidth()->slider();
   const QPointF from = handleOf(*slider);
   constexpr int moves = 20;

@@ -77,6 +77,11 @@ bool MeasuresChange::absorb(const Change& next) {
 
 std::size_t MeasuresChange::bytes() const { return sizeof(*this) + heldBy(before_) + heldBy(after_); }
 
+bool PathChange::absorb(const Change& next) {
+  after_ = static_cast<const PathChange&>(next).after_;
+  return true;
+}
+
 std::size_t KeyImagesChange::bytes() const {
   std::size_t bytes = sizeof(*this);
   for (const std::vector<io::KeyImage>* images : {&before_, &after_})

@@ -77,7 +77,7 @@ class PathChange : public Change {
 
   void undo() override { parts_.showPath(before_); }
   void redo() override { parts_.showPath(after_); }
-  bool absorb(const Change&) override { return false; }
+  bool absorb(const Change& next) override;
   bool isNothing() const override { return before_ == after_; }
   std::size_t bytes() const override {
     return sizeof(*this) + (before_.capacity() + after_.capacity()) * sizeof(glm::dvec3);

@@ -41,12 +41,42 @@ class History::Step : public QUndoCommand {
   bool done_ = false, once_ = false;
 };
 
+/// The changes of a group, in the order in which they were made.
+class History::Changes : public Change {
+ public:
+  void add(std::shared_ptr<Change> change) { all_.push_back(std::move(change)); }
+
+  void undo() override {
+    for (auto change = all_.rbegin(); change != all_.rend(); ++change) (*change)->undo();
+  }
+  void redo() override {
+    for (const auto& change : all_) change->redo();
+  }
+  bool absorb(const Change&) override { return false; }
+  bool isNothing() const override { return all_.empty(); }
+  std::size_t bytes() const override {
+    std::size_t sum = sizeof(*this);
+    for (const auto& change : all_) sum += change->bytes();
+    return sum;
+  }
+
+ private:
+  std::vector<std::shared_ptr<Change>> all_;
+};
+
+History::Group::Group(History& history, QString name) : history_(history), name_(std::move(name)) {
+  history_.group_ = std::make_shared<Changes>();
+}
+
+History::Group::~Group() { history_.push(name_, std::exchange(history_.group_, nullptr)); }
+
 History::History(std::size_t limit, QObject* parent) : QObject(parent), limit_(limit) {}
 
 const History::Step& History::step(int index) const { return static_cast<const Step&>(*stack_.command(index)); }
 
 void History::push(const QString& name, std::shared_ptr<Change> change) {
   if (change->isNothing()) return;
+  if (group_) return group_->add(std::move(change));
   makeRoom(sizeof(Step) + change->bytes());
   stack_.push(new Step(name, std::move(change), inGesture_ ? gesture_ : -1));
 }

@@ -43,6 +43,19 @@ class History : public QObject {
   void push(const QString& name, std::shared_ptr<Change> change);
   void beginGesture();
   void endGesture() { inGesture_ = false; }
+  /// While one lives, all changes that are pushed become one step of its name; none without any. Not to be nested, and
+  /// nothing is undone meanwhile.
+  class Group {
+   public:
+    Group(History& history, QString name);
+    ~Group();
+    Group(const Group&) = delete;
+    Group& operator=(const Group&) = delete;
+
+   private:
+    History& history_;
+    QString name_;
+  };
   /// Undoes the latest step and drops it, so that it cannot be redone.
   void takeBack();
   void clear();
@@ -52,6 +65,7 @@ class History : public QObject {
 
  private:
   class Step;
+  class Changes;
   const Step& step(int index) const;
   void makeRoom(std::size_t wanted);
 
@@ -59,6 +73,7 @@ class History : public QObject {
   std::size_t limit_;
   int gesture_ = 0;
   bool inGesture_ = false;
+  std::shared_ptr<Changes> group_;  ///< of the Group that lives
 };
 
 }  // namespace fenestra::viewer

@@ -86,8 +86,11 @@ void KeyImages::show(std::size_t index) {
     std::erase_if(labels->labels, [map](std::uint16_t label) { return !map || !map->find(label); });
     if (labels->labels.empty()) look.focus = std::monostate{};
   }
-  document.edit(tr("Return to a key image"), std::move(look));
-  showCameras(image);
+  {
+    const History::Group step(document.history(), tr("Return to a key image"));
+    document.edit(tr("Return to a key image"), std::move(look));
+    showCameras(image);
+  }
   document.setWindow(image.window);
   document.setInverted(image.inverted);
   parts_.cursor.moveTo(image.crosshair);

@@ -37,7 +37,7 @@ class KeyImages : public QObject {
   /// Keeps the present state at the end of the list, with a name by its number. `picture` is of the window, of any
   /// size, and must show no patient. False: there are KeyImage::most already.
   bool add(const QImage& picture);
-  /// Goes back to a state: the look and the cameras as a step each, where they are others. Labels that are no longer
+  /// Goes back to a state: the look and the cameras as one step, where they are others. Labels that are no longer
   /// there are left out of its focus. The cameras are not placed anew, also where a region has to be grown first.
   void show(std::size_t index);
   /// An empty name changes nothing; a long one is cut.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <utility>
 
 #include "io/session/Session.h"
@@ -100,6 +101,24 @@ bool PathMode::stop() {
   return true;
 }
 
+void PathMode::movePoint(const std::vector<glm::dvec3>& before, std::size_t point, glm::dvec3 by) {
+  std::vector<glm::dvec3> path = before;
+  path.at(point) += by;
+  // To each side as far as the reach goes, by a smooth share of the way: 1 at the point, 0 at the reach.
+  const auto follow = [&](auto next, std::size_t last) {
+    double away = 0.0;
+    for (std::size_t i = point; i != last; i = next(i)) {
+      away += glm::distance(before[i], before[next(i)]);
+      if (away >= reach) return;
+      const double share = std::cos(0.5 * std::numbers::pi * away / reach);
+      path[next(i)] += share * share * by;
+    }
+  };
+  follow([](std::size_t i) { return i + 1; }, before.size() - 1);
+  follow([](std::size_t i) { return i - 1; }, 0);
+  document_.setPath(std::move(path), tr("Move a point of the path"));
+}
+
 void PathMode::readPath() {
   curve_ = reformat::PathCurve(document_.path());
   line_ = lineOf(curve_, 1.0);
@@ -114,6 +133,7 @@ void PathMode::setPlace(double mm) {
   cursor_.moveTo(curve_.place(place_).point);
   placing_ = false;
   Q_EMIT moved();
+  Q_EMIT walked();
 }
 
 void PathMode::followCursor() {

@@ -38,6 +38,11 @@ class PathMode : public QObject {
   /// Ends drawing without a path; false when nothing was drawn.
   bool stop();
 
+  /// Moves a point of the document's path from where it was in `before`; points nearer than `reach` along the path go
+  /// along in part, so that a line of many points stays smooth. A step of the history, or of a gesture.
+  void movePoint(const std::vector<glm::dvec3>& before, std::size_t point, glm::dvec3 by);
+  static constexpr double reach = 6.0;  ///< mm; less than between points that are clicked, as a rule
+
   /// The document's path; its length is 0 without one.
   const reformat::PathCurve& curve() const { return curve_; }
   bool hasPath() const { return curve_.length() > 0.0; }
@@ -51,6 +56,7 @@ class PathMode : public QObject {
  Q_SIGNALS:
   void changed();  ///< drawing, the draft, or the path
   void moved();    ///< the place alone
+  void walked();   ///< after moved(), where setPlace() has moved it
 
  private:
   void readPath();

@@ -108,6 +108,7 @@ io::Session SessionController::session() const {
   session.planes = parts_.planes.poses();
   session.measures = document.measures();
   session.path = document.path();
+  session.followsPath = parts_.options.followsPath();
   session.keyImages = document.keyImages();
   session.overlays = {parts_.options.crosshair(), parts_.options.text(), parts_.options.labels(),
                       parts_.options.measures(), parts_.options.planes()};
@@ -149,6 +150,7 @@ void SessionController::apply(const io::Session& session) {
   parts_.options.setLabels(session.overlays.labels);
   parts_.options.setMeasures(session.overlays.measures);
   parts_.options.setPlanes(session.overlays.planes);
+  parts_.options.setFollowsPath(session.followsPath);
   window_.restore(session);
 }
 

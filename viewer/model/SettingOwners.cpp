@@ -33,6 +33,7 @@ constexpr std::array settings{
     OwnedSetting{"Unit of widths, background", SettingOwner::Habit},
     OwnedSetting{"Quality at rest", SettingOwner::Habit},
     OwnedSetting{"Linked views", SettingOwner::Habit},
+    OwnedSetting{"Cameras that follow the path", SettingOwner::Habit},
     OwnedSetting{"How cameras are placed", SettingOwner::Habit},
     OwnedSetting{"Cross, text, label colours, measures, planes shown", SettingOwner::Habit},
     OwnedSetting{"Click chooses the focus", SettingOwner::Habit},

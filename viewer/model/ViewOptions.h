@@ -18,6 +18,7 @@ class ViewOptions : public QObject {
   bool hidesPatient() const { return hidesPatient_; }  ///< no patient or study anywhere in the window
   bool clipHandles() const { return clipHandles_; }    ///< the crop box and clip planes have handles to drag
   bool planes() const { return planes_; }              ///< the slices' outlines in the 3-D views, with handles to turn
+  bool followsPath() const { return followsPath_; }    ///< the cameras go along the path with its place
   bool isNeurological() const {
     return neurological_;
   }  ///< axial and coronal slices have the patient's left on the left
@@ -29,6 +30,7 @@ class ViewOptions : public QObject {
   void setHidesPatient(bool on) { set(hidesPatient_, on); }
   void setClipHandles(bool on) { set(clipHandles_, on); }
   void setPlanes(bool on) { set(planes_, on); }
+  void setFollowsPath(bool on) { set(followsPath_, on); }
   void setNeurological(bool on) { set(neurological_, on); }
 
  Q_SIGNALS:
@@ -42,7 +44,7 @@ class ViewOptions : public QObject {
   }
 
   bool crosshair_ = true, text_ = true, labels_ = true, measures_ = true, grows_ = true, hidesPatient_ = false,
-       clipHandles_ = false, planes_ = false, neurological_ = false;
+       clipHandles_ = false, planes_ = false, neurological_ = false, followsPath_ = false;
 };
 
 }  // namespace fenestra::viewer

@@ -8,6 +8,7 @@
 #include "viewer/model/KeyImages.h"
 #include "viewer/model/LookLibrary.h"
 #include "viewer/model/MeasureMode.h"
+#include "viewer/model/PathCameras.h"
 #include "viewer/model/PathMode.h"
 #include "viewer/model/PlacementController.h"
 #include "viewer/model/Preferences.h"
@@ -37,6 +38,7 @@ struct Workspace {
   ActiveTool tool{{&brush, &carving, &selection}};
   MeasureMode measuring{document};
   PathMode path{document, cursor, measuring, tool};
+  PathCameras pathCameras{{document, path, cameras, options}};
   Preferences preferences;
   LookLibrary looks{preferences.looksFolder()};
 };

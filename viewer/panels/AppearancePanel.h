@@ -24,6 +24,8 @@ class AppearancePanel : public ScrollingPanel {
   TransferFunctionEditor& editor() const { return *editor_; }
   SliderSpin* shift() const { return shift_; }
   QCheckBox* hidesTable() const { return table_; }
+  /// Down to the editor of the transfer function.
+  int usefulHeight() const override { return heightThrough(*editor_); }
 
  private:
   void layOut();

@@ -54,6 +54,8 @@ QWidget* CamerasPanel::makeBody() {
   return body;
 }
 
+int CamerasPanel::usefulHeight() const { return heightThrough(*map_); }
+
 void CamerasPanel::show() {
   const bool measuring = placement_.isMeasuring();
   place_->setEnabled(placement_.canPlace());

@@ -26,6 +26,8 @@ class CamerasPanel : public ScrollingPanel {
   BestViews& bestViews() const { return *best_; }
   SphereMap* map() const { return map_; }
   PlacementForm& form() const { return *form_; }
+  /// Down to the map of viewpoints.
+  int usefulHeight() const override;
 
  private:
   QWidget* makeBody();

@@ -44,6 +44,13 @@ CutawayPanel::CutawayPanel(Document& document, Carving& carving, QWidget* parent
       unit_(controls_.choice(&Cutaway::unit)),
       colour_(controls_.colour(&Cutaway::borderColour)) {
   layOut();
+  // While all rows are there. The column of labels, too, is as wide as the widest.
+  int widest = 0;
+  for (int row = 0; row < form_->rowCount(); ++row)
+    if (const QLayoutItem* label = form_->itemAt(row, QFormLayout::LabelRole))
+      widest = std::max(widest, label->widget()->minimumSizeHint().width());
+  form_->labelForField(method_)->setMinimumWidth(widest);
+  width_ = QWidget::minimumSizeHint().width();
   connect(look_, &QComboBox::activated, this, &CutawayPanel::apply);
   connect(&document, &Document::cutawayChanged, this, &CutawayPanel::show);
   connect(&document, &Document::volumeChanged, this, &CutawayPanel::show);
@@ -68,8 +75,15 @@ void CutawayPanel::layOut() {
   axis_->addWidget(axisOffset_, 1);
   axis_->addWidget(axisDirection_);
   form_->addRow(name(settingOf(&Cutaway::axisOffset)), axis_);
-  form_->addRow(tr("Look"), look_);
-  form_->addRow(name(settingOf(&Cutaway::unit)), unit_);
+  // In one row: a column of all panels leaves few rows on a small screen.
+  for (QComboBox* box : {look_, unit_}) {
+    box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    box->setMinimumContentsLength(5);
+  }
+  auto* looks = new QHBoxLayout;
+  looks->addWidget(look_, 1);
+  looks->addWidget(unit_);
+  form_->addRow(tr("Look"), looks);
 }
 
 void CutawayPanel::apply(int openingLook) {
@@ -83,6 +97,8 @@ QSize CutawayPanel::sizeHint() const {
   if (height_ == 0 || document_.look().method.kind == kindOf<methods::Adaptive>) height_ = now.height();
   return {now.width(), height_};
 }
+
+QSize CutawayPanel::minimumSizeHint() const { return QWidget::minimumSizeHint().expandedTo({width_, 0}); }
 
 void CutawayPanel::addFreeze(QAction* freeze) {
   auto* button = new QToolButton;

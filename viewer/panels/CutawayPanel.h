@@ -23,6 +23,8 @@ class CutawayPanel : public QWidget {
   /// As high as with the adaptive cutaway, whichever method is chosen: rows of other methods scroll, so that nothing
   /// moves under the mouse when one is chosen.
   QSize sizeHint() const override;
+  /// As wide as with the rows of all methods, for the same reason.
+  QSize minimumSizeHint() const override;
   /// A button for the command that freezes the opening, beside the axis offset.
   void addFreeze(QAction* freeze);
 
@@ -46,6 +48,7 @@ class CutawayPanel : public QWidget {
   QComboBox *look_, *unit_;
   ColourButton* colour_;
   mutable int height_ = 0;  ///< of the hint
+  int width_ = 0;           ///< of the least size
 };
 
 }  // namespace fenestra::viewer

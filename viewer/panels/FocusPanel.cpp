@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
 
 #include <QFormLayout>
 #include <QHBoxLayout>
 #include <QSignalBlocker>
+#include <QTimer>
 #include <QVBoxLayout>
 
 #include "viewer/model/Document.h"
@@ -24,7 +26,7 @@ namespace fenestra::viewer {
 
 FocusPanel::FocusPanel(Document& document, const PlacementController& placement, const ViewLink& cameras,
                        SelectionBrush& selection, QWidget* parent)
-    : QWidget(parent),
+    : ScrollingPanel(parent),
       document_(document),
       selection_(selection),
       study_(new QLabel),
@@ -51,20 +53,7 @@ FocusPanel::FocusPanel(Document& document, const PlacementController& placement,
 
   makeIslandsRow();
   makePainting();
-  auto* column = new QVBoxLayout(this);
-  column->addWidget(study_);
-  column->addWidget(filter_);
-  column->addWidget(list_, 1);
-  column->addWidget(noLabels_);
-  column->addWidget(labelEdits_);
-  column->addWidget(paint_);
-  column->addWidget(painting_);
-  column->addWidget(region_);
-  column->addWidget(byValue_);
-  column->addLayout(makeRange());
-  column->addWidget(islandsRow_);
-  column->addStretch(0);
-
+  layOut();
   connect(filter_, &QLineEdit::textChanged, list_, &LabelList::filter);
   connect(list_, &LabelList::doubleClicked, this, [this](const QModelIndex& index) {
     const std::uint16_t label = list_->labelAt(index);
@@ -79,7 +68,62 @@ FocusPanel::FocusPanel(Document& document, const PlacementController& placement,
   connect(&document, &Document::volumeChanged, this, &FocusPanel::showStudy);
   connect(&document, &Document::labelsChanged, this, &FocusPanel::showStudy);
   connect(&document, &Document::focusChanged, this, &FocusPanel::showFocus);
+  connect(&document, &Document::focusChanged, this, &FocusPanel::showRegionsRows);
   showStudy();
+}
+
+void FocusPanel::layOut() {
+  auto* body = new QWidget;
+  auto* column = new QVBoxLayout(body);
+  column->addWidget(study_);
+  column->addWidget(filter_);
+  column->addWidget(list_);
+  column->addWidget(noLabels_);
+  column->addWidget(byValue_);
+  column->addLayout(makeRange());
+  column->addWidget(islandsRow_);
+  column->addWidget(labelEdits_);
+  column->addWidget(paint_);
+  column->addWidget(painting_);
+  column->addWidget(region_);
+  column->addStretch(1);
+  setBody(body);
+}
+
+int FocusPanel::usefulHeight() const {
+  const QLayout& column = *widget()->layout();
+  const QMargins margins = column.contentsMargins();
+  // The study's text has one line; the list and the field above it count while there are no labels, too, so that the
+  // other panels stay as they are when a study with labels opens.
+  return margins.top() + study_->fontMetrics().height() + column.spacing() + filter_->sizeHint().height() +
+         column.spacing() + list_->leastHeight() + margins.bottom();
+}
+
+void FocusPanel::resizeEvent(QResizeEvent* event) {
+  ScrollingPanel::resizeEvent(event);
+  fitList();
+}
+
+void FocusPanel::fitList() {
+  const QLayout& column = *widget()->layout();
+  int others = heightThrough(*paint_);
+  for (QWidget* row : std::initializer_list<QWidget*>{list_, labelEdits_})
+    if (!row->isHidden()) others -= column.itemAt(column.indexOf(row))->minimumSize().height() + column.spacing();
+  list_->setFixedHeight(std::max(list_->leastHeight(), viewport()->height() - others - column.spacing()));
+}
+
+void FocusPanel::showRegionsRows() {
+  const int state = !document_.region() ? 0 : document_.growth() ? 2 : 1;
+  if (state <= regionState_) {
+    if (state == 0) regionState_ = 0;
+    return;
+  }
+  regionState_ = state;
+  // From the event loop: the rows have their places then. The last one that is asked for is in sight for certain.
+  QTimer::singleShot(0, this, [this] {
+    for (QWidget* row : std::initializer_list<QWidget*>{region_->keep(), region_->plot(), region_->slider()})
+      ensureWidgetVisible(row, 0, 0);
+  });
 }
 
 QLayout* FocusPanel::makeRange() {
@@ -155,6 +199,7 @@ void FocusPanel::showStudy() {
   list_->setVisible(labelled);
   filter_->setVisible(labelled);
   noLabels_->setVisible(!labelled && document_.hasVolume());
+  fitList();
   if (!document_.hasVolume()) return;
 
   const Volume& volume = *document_.scene().volume;
@@ -183,7 +228,7 @@ void FocusPanel::showFocus() {
   byValue_->setChecked(values != nullptr);
   low_->setEnabled(values != nullptr);
   high_->setEnabled(values != nullptr);
-  islandsRow_->setVisible(values != nullptr);
+  islandsRow_->setEnabled(values != nullptr);
   if (const auto* labels = std::get_if<LabelFocus>(&document_.focus())) {
     list_->scrollToLabel(labels->labels.front());
   }

@@ -1,12 +1,16 @@
 #pragma once
 // The open study, and its focus: a list of labels to tick, or a range of values.
+//
+// The list has the height that the rows which are always there leave, and never less than eight rows; other rows come
+// below it and scroll. So a row that comes or goes does not move the control that was clicked.
 
 #include <QCheckBox>
 #include <QDoubleSpinBox>
 #include <QLabel>
 #include <QLineEdit>
 #include <QToolButton>
-#include <QWidget>
+
+#include "viewer/panels/ScrollingPanel.h"
 
 namespace fenestra::viewer {
 
@@ -19,7 +23,7 @@ class SelectionBrush;
 class SliderSpin;
 class ViewLink;
 
-class FocusPanel : public QWidget {
+class FocusPanel : public ScrollingPanel {
   Q_OBJECT
  public:
   FocusPanel(Document& document, const PlacementController& placement, const ViewLink& cameras,
@@ -36,12 +40,22 @@ class FocusPanel : public QWidget {
   QToolButton* paint() const { return paint_; }
   SliderSpin* paintRadius() const { return paintRadius_; }
   SliderSpin* paintSoftness() const { return paintSoftness_; }
+  /// That of the list with its least rows, and of what is above it; also while there are no labels.
+  int usefulHeight() const override;
 
  Q_SIGNALS:
   /// The user picked one structure, which is the focus now.
   void structureChosen();
 
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
+
  private:
+  void layOut();
+  /// Gives the list its height.
+  void fitList();
+  /// Scrolls to the rows of a region when it begins and when it has been grown: they are below the list.
+  void showRegionsRows();
   /// The ends of a range of values, which the check box above makes the focus.
   QLayout* makeRange();
   void makeIslandsRow();
@@ -59,9 +73,10 @@ class FocusPanel : public QWidget {
   QLabel* noLabels_;
   QCheckBox* byValue_;
   QDoubleSpinBox *low_, *high_;
-  QWidget* islandsRow_;  ///< shown with a range of values
+  QWidget* islandsRow_;  ///< for a range of values
   SliderSpin* islands_;
   RegionPanel* region_;
+  int regionState_ = 0;  ///< which showRegionsRows() has scrolled to: 1 growing, 2 grown, 0 none
   LabelEditPanel* labelEdits_;
   QToolButton* paint_;
   QWidget* painting_;  ///< the brush's rows, shown while it is up

@@ -62,9 +62,7 @@ LabelList::LabelList(Document& document, const PlacementController& placement, Q
   setIndentation(12);
   setExpandsOnDoubleClick(false);
   setEditTriggers(EditKeyPressed);
-  setMinimumHeight(80);
   setAccessibleName(tr("Structures"));
-  setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Ignored);  // the height that the panel's other rows leave
   arrangeColumns();
   connect(this, &QTreeView::clicked, this, &LabelList::clickedAt);
   const auto arrange = [this] {
@@ -122,6 +120,14 @@ void LabelList::paintEvent(QPaintEvent* event) {
 }
 
 bool LabelList::isEmpty() const { return labels_->rowCount() == 0; }
+
+int LabelList::leastHeight() const {
+  constexpr int rows = 8;
+  QStyleOptionViewItem option;
+  initViewItemOption(&option);
+  const int row = std::max(sizeHintForRow(0), itemDelegate()->sizeHint(option, {}).height());
+  return 2 * frameWidth() + header()->sizeHint().height() + rows * row;
+}
 
 void LabelList::scrollToLabel(std::uint16_t label) {
   for (int row = 0; row < shown_->rowCount(); ++row)

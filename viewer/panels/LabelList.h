@@ -25,6 +25,8 @@ class LabelList : public QTreeView {
   QString emptyText() const;
   void scrollToLabel(std::uint16_t label);
   bool isEmpty() const;
+  /// With the header and eight rows.
+  int leastHeight() const;
 
  protected:
   void contextMenuEvent(QContextMenuEvent* event) override;

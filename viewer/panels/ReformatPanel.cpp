@@ -1,8 +1,11 @@
 #include "viewer/panels/ReformatPanel.h"
 
 #include <algorithm>
+#include <functional>
+#include <initializer_list>
 #include <utility>
 
+#include <QCheckBox>
 #include <QDoubleSpinBox>
 #include <QFormLayout>
 #include <QGridLayout>
@@ -10,13 +13,17 @@
 #include <QLabel>
 #include <QLocale>
 #include <QPushButton>
+#include <QToolButton>
 #include <QVBoxLayout>
 #include <glm/gtc/constants.hpp>
 
 #include "rendering/reformat/CentreLine.h"
 #include "rendering/reformat/Straighten.h"
+#include "rendering/volume/Threads.h"
 #include "viewer/model/Document.h"
+#include "viewer/model/PathCameras.h"
 #include "viewer/model/PathMode.h"
+#include "viewer/model/ViewOptions.h"
 #include "viewer/panels/ReformatPicture.h"
 
 namespace fenestra::viewer {
@@ -29,6 +36,11 @@ constexpr double mostPixels = 3000.0;  ///< a side; more than a screen shows
 std::vector<std::uint16_t> labelsInFocus(const Scene& scene) {
   const auto* focus = std::get_if<LabelFocus>(&scene.look.focus);
   return focus && scene.labels ? focus->labels : std::vector<std::uint16_t>();
+}
+
+/// Asks whether to go on at every 64th of the many times: a job's answer takes as long as some hundred voxels.
+std::function<bool()> untilCancelled(const io::Progress& progress) {
+  return [&progress, times = 0]() mutable { return ++times % 64 != 0 || progress(0.0, {}); };
 }
 
 QString decimal(double value, int digits) { return QLocale().toString(value, 'f', digits); }
@@ -46,19 +58,25 @@ QDoubleSpinBox* spin(double low, double high, double value, double step, const Q
 
 }  // namespace
 
-ReformatPanel::ReformatPanel(Document& document, PathMode& mode, QWidget* parent)
+ReformatPanel::ReformatPanel(Document& document, PathMode& mode, PathCameras& cameras, const ViewOptions& options,
+                             QWidget* parent)
     : QWidget(parent),
       document_(document),
       mode_(mode),
-      draw_(new QPushButton(tr("Dra&w"))),
+      draw_(new QToolButton),
       follow_(new QPushButton(tr("Follow the f&ocus"))),
       delete_(new QPushButton(tr("De&lete"))),
       width_(spin(5.0, 500.0, 50.0, 5.0, tr(" mm"))),
       angle_(spin(-180.0, 180.0, 0.0, 15.0, tr("°"))),
+      camerasFollow_(new QCheckBox(tr("Cameras follow"))),
       straight_(new ReformatPicture(document)),
       across_(new ReformatPicture(document)),
       says_(new QLabel) {
+  // Looks pressed while a path is drawn, which a push button of the style hardly does.
+  draw_->setText(tr("Dra&w"));
+  draw_->setObjectName(QStringLiteral("choice"));
   draw_->setCheckable(true);
+  draw_->setFocusPolicy(Qt::StrongFocus);
   draw_->setToolTip(
       tr("Click points on the slices; Backspace takes the last away, Enter or a double click ends the path"));
   follow_->setToolTip(tr("Finds the centre line of the tubular structure in focus"));
@@ -66,6 +84,12 @@ ReformatPanel::ReformatPanel(Document& document, PathMode& mode, QWidget* parent
   width_->setToolTip(tr("Width of the pictures"));
   angle_->setToolTip(tr("Turns the straightened picture about the path"));
   angle_->setWrapping(true);
+  camerasFollow_->setToolTip(
+      tr("Both cameras keep the place on the path in the middle of their pictures as you move along it"));
+  connect(camerasFollow_, &QCheckBox::clicked, &cameras, &PathCameras::setFollows);
+  const auto showFollows = [this, &options] { camerasFollow_->setChecked(options.followsPath()); };
+  connect(&options, &ViewOptions::changed, camerasFollow_, showFollows);
+  showFollows();
   straight_->setAccessibleName(tr("Straightened along the path"));
   across_->setAccessibleName(tr("Across the path"));
   says_->setWordWrap(true);
@@ -75,11 +99,12 @@ ReformatPanel::ReformatPanel(Document& document, PathMode& mode, QWidget* parent
   // The texts change with every place: their room must not, or the pictures would jump.
   says_->setMinimumHeight(6 * fontMetrics().lineSpacing());
   auto* buttons = new QHBoxLayout;
-  for (QPushButton* each : {draw_, follow_, delete_}) buttons->addWidget(each);
+  for (QWidget* each : std::initializer_list<QWidget*>{draw_, follow_, delete_}) buttons->addWidget(each);
   buttons->addStretch();
   auto* form = new QFormLayout;
   form->addRow(tr("Width"), width_);
   form->addRow(tr("Turned by"), angle_);
+  form->addRow(camerasFollow_);
   auto* side = new QVBoxLayout;
   side->addWidget(across_, 2);
   side->addWidget(says_, 1);
@@ -167,7 +192,8 @@ void ReformatPanel::readRegion() {
   const Scene scene = document_.scene();
   const std::vector<std::uint16_t> values = labelsInFocus(scene);
   if (values.empty()) return show(false);
-  job_.start([this, values, labels = scene.labels](const io::Progress&) -> LoadJob::Show {
+  job_.start([this, values, labels = scene.labels](const io::Progress& progress) -> LoadJob::Show {
+    const Interruptible work(untilCancelled(progress));
     auto region = std::make_shared<const reformat::VoxelRegion>(reformat::regionOf(*labels, values));
     return [this, region] {
       region_ = region;
@@ -185,7 +211,8 @@ void ReformatPanel::followFocus() {
     return say();
   }
   mode_.stop();
-  job_.start([this, values, labels = scene.labels](const io::Progress&) -> LoadJob::Show {
+  job_.start([this, values, labels = scene.labels](const io::Progress& progress) -> LoadJob::Show {
+    const Interruptible work(untilCancelled(progress));
     auto region = std::make_shared<const reformat::VoxelRegion>(reformat::regionOf(*labels, values));
     std::vector<glm::dvec3> points = reformat::centreLineOf(*region).points;
     return [this, region, points = std::move(points)] {

@@ -11,21 +11,26 @@
 #include "rendering/reformat/Region.h"
 #include "viewer/jobs/LoadJob.h"
 
+class QCheckBox;
 class QDoubleSpinBox;
 class QLabel;
 class QPushButton;
+class QToolButton;
 
 namespace fenestra::viewer {
 
 class Document;
+class PathCameras;
 class PathMode;
 class ReformatPicture;
+class ViewOptions;
 
 class ReformatPanel : public QWidget {
   Q_OBJECT
  public:
-  /// Both outlive this. Nothing is computed while the panel is hidden.
-  ReformatPanel(Document& document, PathMode& mode, QWidget* parent = nullptr);
+  /// All outlive this. Nothing is computed while the panel is hidden.
+  ReformatPanel(Document& document, PathMode& mode, PathCameras& cameras, const ViewOptions& options,
+                QWidget* parent = nullptr);
 
   ReformatPicture& straight() const { return *straight_; }
   ReformatPicture& across() const { return *across_; }
@@ -34,6 +39,7 @@ class ReformatPanel : public QWidget {
   std::optional<reformat::Section> section() const { return section_; }
   /// Finds the centre line of the structure in focus in the background, and makes it the path.
   void followFocus();
+  QCheckBox* camerasFollow() const { return camerasFollow_; }
   bool isBusy() const { return job_.isRunning() || soon_.isActive(); }
 
  protected:
@@ -62,8 +68,10 @@ class ReformatPanel : public QWidget {
   bool isStraightOld_ = true;
   QString problem_;
   QTimer soon_;
-  QPushButton *draw_, *follow_, *delete_;
+  QToolButton* draw_;
+  QPushButton *follow_, *delete_;
   QDoubleSpinBox *width_, *angle_;
+  QCheckBox* camerasFollow_;
   ReformatPicture *straight_, *across_;
   QLabel* says_;
 };

@@ -1,12 +1,28 @@
 #include "viewer/panels/ScrollingPanel.h"
 
+#include <algorithm>
+
 #include <QAbstractSlider>
 #include <QAbstractSpinBox>
 #include <QComboBox>
 #include <QEvent>
+#include <QLayout>
+#include <QResizeEvent>
 #include <QScrollBar>
 
 namespace fenestra::viewer {
+namespace {
+
+/// Whether a part of a layout is the widget, or holds it.
+bool holds(QLayoutItem& item, const QWidget& widget) {
+  if (item.widget()) return item.widget() == &widget || item.widget()->isAncestorOf(&widget);
+  const QLayout* layout = item.layout();
+  for (int i = 0; layout && i < layout->count(); ++i)
+    if (holds(*layout->itemAt(i), widget)) return true;
+  return false;
+}
+
+}  // namespace
 
 void ScrollingPanel::setBody(QWidget* body) {
   setFocusPolicy(Qt::NoFocus);  // its controls have the keyboard, and come into sight with it
@@ -37,9 +53,50 @@ QSize ScrollingPanel::minimumSizeHint() const {
           rows * fontMetrics().lineSpacing()};
 }
 
+int ScrollingPanel::usefulHeight() const { return sizeHint().height(); }
+
+int ScrollingPanel::heightThrough(const QWidget& last) const {
+  const QLayout& layout = *widget()->layout();
+  const QMargins margins = layout.contentsMargins();
+  int height = margins.top() + margins.bottom();
+  for (int i = 0; i < layout.count(); ++i) {
+    QLayoutItem& row = *layout.itemAt(i);
+    if (row.isEmpty()) continue;
+    height += row.minimumSize().height();
+    if (holds(row, last)) break;
+    height += layout.spacing();
+  }
+  return height;
+}
+
+void ScrollingPanel::holdPlace() {
+  QWidget& body = *widget();
+  const int held = verticalScrollBar()->value() > 0 ? verticalScrollBar()->value() + viewport()->height() : 0;
+  // A least height that is set takes the place of what the rows need.
+  body.setMinimumHeight(held > body.minimumSizeHint().height() ? held : 0);
+}
+
+void ScrollingPanel::releasePlace() {
+  if (!widget() || widget()->minimumHeight() == 0) return;
+  widget()->setMinimumHeight(0);
+  widget()->resize(widget()->width(), std::max(viewport()->height(), widget()->minimumSizeHint().height()));
+}
+
+void ScrollingPanel::leaveEvent(QEvent* event) {
+  releasePlace();
+  QScrollArea::leaveEvent(event);
+}
+
+void ScrollingPanel::resizeEvent(QResizeEvent* event) {
+  if (event->size().height() != event->oldSize().height()) releasePlace();
+  QScrollArea::resizeEvent(event);
+}
+
 bool ScrollingPanel::eventFilter(QObject* watched, QEvent* event) {
-  // Rows that appear may be wider than those before: the dock grows with them.
-  if (watched == this->widget() && event->type() == QEvent::LayoutRequest) updateGeometry();
+  if (watched == this->widget() && event->type() == QEvent::LayoutRequest) {
+    holdPlace();
+    updateGeometry();  // rows that appear may be wider than those before: the dock grows with them
+  }
   const auto* widget = qobject_cast<QWidget*>(watched);
   if (event->type() != QEvent::Wheel || !widget || widget->hasFocus()) return QScrollArea::eventFilter(watched, event);
   event->ignore();  // so that it goes on to the scroll area

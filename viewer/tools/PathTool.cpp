@@ -2,14 +2,18 @@
 
 #include <cmath>
 #include <span>
+#include <utility>
 
 #include <QKeyEvent>
+#include <QLineF>
 #include <QMouseEvent>
 #include <QPainter>
 
+#include "viewer/model/Document.h"
 #include "viewer/model/PathMode.h"
 #include "viewer/model/ViewOptions.h"
 #include "viewer/tools/Canvas.h"
+#include "viewer/tools/HandleDrag.h"
 
 namespace fenestra::viewer {
 namespace {
@@ -46,19 +50,65 @@ void drawPathPoint(QPainter& painter, const Canvas& canvas, glm::dvec3 point, do
 
 }  // namespace
 
-PathTool::PathTool(PathMode& mode, const ViewOptions& options, const Canvas& canvas)
-    : mode_(mode), options_(options), canvas_(canvas) {}
+PathTool::PathTool(PathMode& mode, Document& document, const ViewOptions& options, const Canvas& canvas)
+    : mode_(mode), document_(document), options_(options), canvas_(canvas) {}
 
 bool PathTool::draws() const { return mode_.isDrawing() && canvas_.section(); }
 
+bool PathTool::isHere(glm::dvec3 point) const {
+  const auto section = canvas_.section();
+  return section && std::abs(glm::dot(point - section->point, section->normal)) <= nearSlice;
+}
+
+std::optional<std::size_t> PathTool::pointAt(QPointF position) const {
+  if (!options_.measures() || !canvas_.section() || mode_.isDrawing()) return std::nullopt;
+  const std::vector<glm::dvec3>& path = document_.path();
+  std::optional<std::size_t> nearest;
+  double least = handleReach;
+  for (std::size_t i = 0; i < path.size(); ++i) {
+    if (!isHere(path[i])) continue;
+    const auto at = canvas_.widgetFromWorld(path[i]);
+    const double distance = at ? QLineF(*at, position).length() : least;
+    if (distance >= least) continue;
+    least = distance;
+    nearest = i;
+  }
+  return nearest;
+}
+
 bool PathTool::press(const QMouseEvent& event) {
-  if (!draws()) return false;
+  grip_.reset();
+  dragging_ = false;
+  if (!draws()) {
+    if (event.modifiers() != Qt::NoModifier || event.type() == QEvent::MouseButtonDblClick) return false;
+    const auto point = pointAt(event.position());
+    const auto from = canvas_.pickSurface(event.position());
+    if (point && from) grip_ = Grip{*point, event.position(), *from, document_.path(), document_.path()};
+    return grip_.has_value();
+  }
   // The second press of a double click: the first has set the last point.
   if (event.type() == QEvent::MouseButtonDblClick)
     mode_.finish();
   else if (const auto world = canvas_.pickSurface(event.position()))
     mode_.addPoint(*world);
   return true;
+}
+
+void PathTool::drag(const QMouseEvent& event) {
+  if (!grip_ || (!dragging_ && QLineF(grip_->pressed, event.position()).length() <= clickSlack)) return;
+  // Undone meanwhile, or another study has arrived: there is nothing to drag any more.
+  if (document_.path() != grip_->held) return;
+  const auto to = canvas_.pickSurface(event.position());
+  if (!to) return;
+  if (!std::exchange(dragging_, true)) document_.history().beginGesture();
+  mode_.movePoint(grip_->before, grip_->point, *to - grip_->from);
+  grip_->held = document_.path();
+}
+
+void PathTool::release(const QMouseEvent&) {
+  if (dragging_) document_.history().endGesture();
+  grip_.reset();
+  dragging_ = false;
 }
 
 void PathTool::hover(const QMouseEvent& event) {
@@ -74,8 +124,9 @@ bool PathTool::key(const QKeyEvent& event) {
   return false;
 }
 
-std::optional<Qt::CursorShape> PathTool::pointer(QPointF) const {
-  return draws() ? std::optional(Qt::CrossCursor) : std::nullopt;
+std::optional<Qt::CursorShape> PathTool::pointer(QPointF position) const {
+  if (draws()) return Qt::CrossCursor;
+  return pointAt(position) ? std::optional(Qt::SizeAllCursor) : std::nullopt;
 }
 
 void PathTool::draw(QPainter& painter, const QRectF&) const {
@@ -86,6 +137,11 @@ void PathTool::draw(QPainter& painter, const QRectF&) const {
   painter.setRenderHint(QPainter::Antialiasing);
   if (shows) {
     drawPathLine(painter, canvas_, mode_.line());
+    // Points that can be dragged; those of a centre line lie too close to be told apart.
+    const std::vector<glm::dvec3>& path = document_.path();
+    if (mode_.curve().length() > PathMode::reach * static_cast<double>(path.size() - 1))
+      for (const glm::dvec3 point : path)
+        if (isHere(point)) drawPathPoint(painter, canvas_, point, 3.0, pathColour);
     drawPathPoint(painter, canvas_, mode_.curve().place(mode_.place()).point, 4.0, Qt::white);
   } else {
     std::vector<glm::dvec3> points = mode_.draft();

@@ -50,7 +50,7 @@ SliceView::SliceView(SlicePlane plane, Workspace& workspace, OpeningEdge& openin
       toleranceWheel_(document_),
       clipTool_(document_, options_, workspace.tool, *canvas_),
       ballTool_(workspace, *canvas_),
-      pathTool_(workspace.path, options_, *canvas_),
+      pathTool_(workspace.path, document_, options_, *canvas_),
       measureTool_(workspace.measuring, document_, options_, *canvas_),
       planeTool_(workspace, *canvas_),
       tools_({&carveTool_, &selectionTool_, &toleranceWheel_, &clipTool_, &pathTool_, &measureTool_, &planeTool_,

@@ -58,7 +58,7 @@ VolumeView::VolumeView(int index, Workspace& workspace, Shared shared, QWidget* 
       wallTool_(document_, cursor_, options_, active_, *canvas_),
       planeTool_(workspace, *canvas_),
       ballTool_(workspace, *canvas_),
-      pathTool_(workspace.path, options_, *canvas_),
+      pathTool_(workspace.path, document_, options_, *canvas_),
       tools_({&brushTool_, &carveTool_, &selectionTool_, &toleranceWheel_, &clipTool_, &wallTool_, &planeTool_,
               &ballTool_, &pathTool_}),
       shared_(std::move(shared)),
