@@ -138,13 +138,13 @@ DeepSeeds deepSeeds(const Grid& grid, const FirstRegion& region, std::span<const
   DeepSeeds seeds;
   const RegionBalls shape(grid, region.joins, region.curve.automatic);
   if (!shape.holds(region.seed)) return seeds;
-  const double body = shape.bodyOf(shape.ballAt(region.seed)).depth;
+  const double own = shape.depthOf(shape.ballAt(region.seed));
   for (const glm::ivec3 seed : outside) {
     if (!shape.holds(seed)) continue;
     const double depth = shape.ballAt(seed).depth;
-    if (depth > leakThickness * body)
+    if (depth > leakThickness * own)
       seeds.beyond.push_back(seed);
-    else if (depth > body - shape.voxelSide())  // radii are as exact as voxels are
+    else if (depth > own - shape.voxelSide())  // radii are as exact as voxels are
       seeds.beside.push_back(seed);
   }
   return seeds;

@@ -36,15 +36,15 @@ HeldBall RegionBalls::ballAt(glm::ivec3 voxel) const {
   return ball;
 }
 
-HeldBall RegionBalls::bodyOf(HeldBall ball) const {
-  for (bool grows = true; grows && ball.radius < largest_;) {
+HeldBall RegionBalls::grown(HeldBall ball, double HeldBall::*measure) const {
+  for (bool grows = true; grows && ball.*measure < largest_;) {
     HeldBall best = ball;
     for (const auto& [offset, length] : offsets_) {
-      if (length > std::max(bodyReach * side_, std::min(ball.radius, 1.5 * bodyReach * side_))) break;
+      if (length > std::max(bodyReach * side_, std::min(ball.*measure, 1.5 * bodyReach * side_))) break;
       if (!holds(ball.centre + offset)) continue;
-      if (const HeldBall next = ballAt(ball.centre + offset); next.radius > best.radius) best = next;
+      if (const HeldBall next = ballAt(ball.centre + offset); next.*measure > best.*measure) best = next;
     }
-    grows = best.radius > ball.radius;
+    grows = best.*measure > ball.*measure;
     ball = best;
   }
   return ball;

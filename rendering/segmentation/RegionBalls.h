@@ -31,7 +31,9 @@ class RegionBalls {
   /// The largest ball around a voxel that the region holds.
   HeldBall ballAt(glm::ivec3 voxel) const;
   /// The ball of the part that a ball lies in: from ball to ball nearby while they grow.
-  HeldBall bodyOf(HeldBall ball) const;
+  HeldBall bodyOf(const HeldBall& ball) const { return grown(ball, &HeldBall::radius); }
+  /// mm: how deep the part is that a ball lies in, found in the same way by depths.
+  double depthOf(const HeldBall& ball) const { return grown(ball, &HeldBall::depth).depth; }
   /// Whether a seed outside, with the ball around it, means the body that a seed inside lies in: it lies in its middle,
   /// or far nearer to it than the seed inside does.
   bool means(const HeldBall& outside, const HeldBall& inside, const HeldBall& body) const;
@@ -41,6 +43,7 @@ class RegionBalls {
   const std::vector<BallOffset>& offsets() const { return offsets_; }
 
  private:
+  HeldBall grown(HeldBall ball, double HeldBall::*measure) const;
   double lengthOf(glm::ivec3 offset) const;  ///< mm
 
   VoxelBox whole_;

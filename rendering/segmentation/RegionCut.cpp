@@ -230,7 +230,7 @@ class Claims {
       if (!cells_.holds(seed)) continue;
       const HeldBall own = shape_.ballAt(seed), body = shape_.bodyOf(own);
       claim(own, Side::Inside);
-      if (deepest_ == 0.0) deepest_ = body.depth;
+      if (deepest_ == 0.0) deepest_ = shape_.depthOf(own);
       // In a leak a further seed means what lies around it.
       if (seed != inside.front() && mayLeak_ &&
           std::ranges::any_of(balls, [this](const HeldBall& ball) { return isLeak(ball); }))

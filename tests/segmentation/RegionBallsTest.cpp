@@ -40,6 +40,8 @@ TEST(RegionBalls, AFaceOfTheVolumeBoundsNoDepth) {
   EXPECT_NEAR(inFace.depth, 12.0, 1.0) << "to a voxel's side";
   EXPECT_NEAR(within.radius, 6.0, 1.0);
   EXPECT_NEAR(within.depth, 6.0, 1.0);
+  EXPECT_NEAR(balls.depthOf(within), 12.0, 1.0);
+  EXPECT_NEAR(balls.bodyOf(within).radius, 6.0, 1.0) << "between the face and the surface";
 }
 
 }  // namespace
