@@ -138,12 +138,12 @@ VoxelBox boxOf(const VoxelSet& voxels, const std::vector<std::uint32_t>& leaves,
 
 }  // namespace
 
-std::shared_ptr<const BoneTree> BoneTree::build(const Volume& volume, const std::function<bool()>& goOn) {
+std::shared_ptr<const BoneTree> BoneTree::build(const Volume& volume, const std::optional<HounsfieldGuess>& guess,
+                                                const std::function<bool()>& goOn) {
   assert(volume.grid.voxelCount() < UINT32_MAX);
   const auto tree = std::make_shared<BoneTree>();
   tree->grid_ = volume.grid;
   if (!volume.isInHounsfieldUnits()) {
-    const std::optional<HounsfieldGuess> guess = hounsfieldGuess(volume);
     if (!guess) return nullptr;
     tree->scaled_ = inHounsfieldUnits(volume, *guess, wholeOf(volume.grid.dims));
   }
@@ -159,9 +159,8 @@ std::shared_ptr<const BoneTree> BoneTree::build(const Volume& volume, const std:
   return tree;
 }
 
-bool BoneTree::isNear(const Volume& volume, glm::ivec3 seed) {
+bool BoneTree::isNear(const Volume& volume, const std::optional<HounsfieldGuess>& guess, glm::ivec3 seed) {
   if (volume.isInHounsfieldUnits()) return isNearBone(volume, seed, nearOffsets(volume.grid));
-  const std::optional<HounsfieldGuess> guess = hounsfieldGuess(volume);
   if (!guess) return false;
   const auto half = glm::ivec3(glm::ceil(nearHalf / volume.grid.spacing));
   const VoxelBox around = VoxelBox{seed - half, seed + half + 1}.clippedTo(wholeOf(volume.grid.dims));

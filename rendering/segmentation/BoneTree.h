@@ -17,6 +17,7 @@
 #include <span>
 #include <vector>
 
+#include "rendering/segmentation/HounsfieldGuess.h"
 #include "rendering/segmentation/Levels.h"
 #include "rendering/segmentation/MergeTree.h"
 #include "rendering/segmentation/VoxelBox.h"
@@ -27,13 +28,15 @@ namespace fenestra::segmentation {
 
 class BoneTree {
  public:
-  /// `volume` has fewer than 2³² voxels. Where it is a CT in other units than Hounsfield's (HounsfieldGuess.h), the
-  /// tree holds a copy of it in these. `goOn` is asked now and then; null when it returned false, and where the volume
-  /// is no CT. Takes up to three bytes a voxel while it runs, and some 40 for each dense one. Deterministic.
-  static std::shared_ptr<const BoneTree> build(const Volume& volume, const std::function<bool()>& goOn = {});
+  /// `volume` has fewer than 2³² voxels. Where it is a CT in other units than Hounsfield's, `guess` tells of
+  /// these, as hounsfieldGuess() finds it, and the tree holds a copy of the volume in them. `goOn` is asked now and
+  /// then; null when it returned false, and where the volume is no CT. Takes up to three bytes a voxel while it runs,
+  /// and some 40 for each dense one. Deterministic.
+  static std::shared_ptr<const BoneTree> build(const Volume& volume, const std::optional<HounsfieldGuess>& guess,
+                                               const std::function<bool()>& goOn = {});
 
   /// Whether joinsOf() could find a bone at a seed. Needs no tree, and little time. False where the volume is no CT.
-  static bool isNear(const Volume& volume, glm::ivec3 seed);
+  static bool isNear(const Volume& volume, const std::optional<HounsfieldGuess>& guess, glm::ivec3 seed);
 
   /// The volume that the tree was built of, in Hounsfield units: `volume` itself where it is.
   const Volume& inUnits(const Volume& volume) const { return scaled_ ? *scaled_ : volume; }

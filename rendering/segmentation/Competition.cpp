@@ -54,6 +54,22 @@ bool isWithin(const Volume& volume, const std::vector<Level>& joins, int step, c
   return static_cast<double>(within) >= marrowShare * static_cast<double>(all) && (!countsDensity || 2 * soft > all);
 }
 
+/// The last step at which none of some seeds belongs to a region.
+int lastWithout(std::span<const glm::ivec3> seeds, const std::vector<Level>& joins, const VoxelBox& whole) {
+  int last = stepCount;
+  for (const glm::ivec3 seed : seeds) last = std::min<int>(last, joins[whole.offset(seed)]);
+  return last;
+}
+
+/// mm³ at the step with which a region begins.
+double sizeOf(const FirstRegion& region) {
+  return region.curve.volume[static_cast<std::size_t>(region.curve.automatic)];
+}
+
+bool holds(const TubeRegion& tube, glm::ivec3 voxel) {
+  return tube.box.contains(voxel) && tube.joins[tube.box.offset(voxel)] <= tubeLevel;
+}
+
 }  // namespace
 
 void keepTo(const std::optional<RegionBall>& ball, const Grid& grid, const VoxelBox& box, std::vector<Level>& joins) {
@@ -90,14 +106,17 @@ GrowthCurve Competition::curveOf(const std::vector<Level>& joins, const FirstReg
   return curveOf(joins, boneCosts(bones_->inUnits(volume_), boneNoise(first.noise)), first.noise);
 }
 
-void Competition::decide(FirstRegion& region) const {
-  const StructurePrior prior = priorOf(region);
-  auto clearest = clearestStep(region.curve, prior, volume_.grid);
+bool Competition::decide(FirstRegion& region, std::span<const glm::ivec3> outside) const {
+  StructurePrior prior = priorOf(region);
+  if (!outside.empty()) prior.limit = std::min(prior.limit, sizeOf(region));
+  auto clearest =
+      clearestStep(region.curve, prior, volume_.grid, lastWithout(outside, region.joins, wholeOf(volume_.grid.dims)));
   const auto compete = [&](std::vector<Level> joins, std::span<const Level> costs, const StructurePrior& own, int last,
                            auto wins) {
     keepTo(ball_, volume_.grid, wholeOf(volume_.grid.dims), joins);
     GrowthCurve curve = curveOf(joins, costs, region.noise);
-    const auto other = clearestStep(curve, own, volume_.grid, last);
+    const auto other =
+        clearestStep(curve, own, volume_.grid, std::min(last, lastWithout(outside, joins, wholeOf(volume_.grid.dims))));
     if (!other || !wins(joins, *other)) return false;
     region.curve = std::move(curve);
     region.joins = std::move(joins);
@@ -119,7 +138,8 @@ void Competition::decide(FirstRegion& region) const {
                           isWithin(bones_->inUnits(volume_), region.joins, clearest->step, joins, other.step,
                                    volume_.isInHounsfieldUnits()));
                 });
-  if (const std::optional<TubeRegion> tube = clearerTube(region.seed, region, prior, clearest)) {
+  const std::optional<TubeRegion> tube = clearerTube(region.seed, region, prior, clearest);
+  if (tube && std::ranges::none_of(outside, [&](glm::ivec3 seed) { return holds(*tube, seed); })) {
     region.joins = allOf(*tube);
     region.curve = curveOf(region.joins, region.costs, region.noise);
     region.isBone = false;
@@ -127,6 +147,20 @@ void Competition::decide(FirstRegion& region) const {
     clearest = ClearestStep{tubeLevel + 1};
   }
   if (clearest) beginWith(region.curve, clearest->step);
+  return clearest.has_value();
+}
+
+std::optional<FirstRegion> Competition::without(std::span<const glm::ivec3> outside, const FirstRegion& first) const {
+  FirstRegion region = first;
+  if (decide(region, outside)) return region;
+  region.joins = tissues_.joinsOf(volume_, region.seed);
+  keepTo(ball_, volume_.grid, wholeOf(volume_.grid.dims), region.joins);
+  region.curve = curveOf(region.joins, region.costs, region.noise);
+  int last = lastWithout(outside, region.joins, wholeOf(volume_.grid.dims));
+  while (last > 0 && region.curve.volume[static_cast<std::size_t>(last)] > sizeOf(first)) --last;
+  if (region.curve.volume[static_cast<std::size_t>(last)] <= 0.0) return std::nullopt;
+  beginWith(region.curve, last);
+  return region;
 }
 
 std::optional<TubeRegion> Competition::clearerTube(glm::ivec3 seed, const FirstRegion& first,
@@ -135,7 +169,7 @@ std::optional<TubeRegion> Competition::clearerTube(glm::ivec3 seed, const FirstR
   const std::optional<Tube> tube = traceTube(volume_, first.noise, seed);
   if (!tube) return std::nullopt;
   TubeRegion region = tubeRegion(volume_, *tube);
-  if (!region.box.contains(seed) || region.joins[region.box.offset(seed)] > tubeLevel) return std::nullopt;
+  if (!holds(region, seed)) return std::nullopt;
   const VoxelBox whole = wholeOf(volume_.grid.dims);
   std::vector<Level> joins(region.joins.size()), costs(region.joins.size());
   for (std::size_t i = 0; i < joins.size(); ++i) {

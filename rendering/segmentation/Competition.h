@@ -32,7 +32,11 @@ class Competition {
 
   /// Replaces a region by values with the one by tissues, the bone or the tube where that is clearer, one of marrow
   /// with its bone, and begins with the clearest step.
-  void decide(FirstRegion& region) const;
+  void decide(FirstRegion& region) const { decide(region, {}); }
+
+  /// The clearest region of a first one's seed that holds no voxel of `outside`, and is no larger than the first one;
+  /// where none is clear, the largest one by tissues. Empty where every region with the seed holds one of them.
+  std::optional<FirstRegion> without(std::span<const glm::ivec3> outside, const FirstRegion& first) const;
 
   /// What a further seed means beside a first one's region: the clearest tissue or bone of `prior`.
   struct Region {
@@ -50,6 +54,8 @@ class Competition {
   double bodyVolume() const { return tissues_.bodyVolume(); }  ///< mm³
 
  private:
+  /// False where no region is clear; then it begins as it did.
+  bool decide(FirstRegion& region, std::span<const glm::ivec3> outside) const;
   /// The tube at a seed where it is clearer than `other`, by the costs of `first`.
   std::optional<TubeRegion> clearerTube(glm::ivec3 seed, const FirstRegion& first, const StructurePrior& prior,
                                         const std::optional<ClearestStep>& other) const;

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "rendering/segmentation/Morphology.h"
+#include "rendering/segmentation/RegionBalls.h"
 #include "rendering/segmentation/RegionCut.h"
 
 namespace fenestra::segmentation {
@@ -128,10 +129,72 @@ void addAt(glm::ivec3 seed, const Volume& volume, const Competition& competition
       joins[i] = std::min(joins[i], static_cast<Level>(std::clamp(own.joins[i] + shift, 0, levelCount - 1)));
 }
 
-}  // namespace
+/// The seeds outside that tell of a leak, which lie as deep in it as the first seed does, or deeper.
+struct DeepSeeds {
+  std::vector<glm::ivec3> beyond;  ///< in a part that is far thicker: a narrow place lies between
+  std::vector<glm::ivec3> beside;  ///< in one as thick: no shape parts them from the first seed
+};
+DeepSeeds deepSeeds(const Grid& grid, const FirstRegion& region, std::span<const glm::ivec3> outside) {
+  DeepSeeds seeds;
+  const RegionBalls shape(grid, region.joins, region.curve.automatic);
+  if (!shape.holds(region.seed)) return seeds;
+  const double own = shape.depthOf(shape.ballAt(region.seed));
+  for (const glm::ivec3 seed : outside) {
+    if (!shape.holds(seed)) continue;
+    const double depth = shape.ballAt(seed).depth;
+    if (depth > leakThickness * own)
+      seeds.beyond.push_back(seed);
+    else if (depth > own - shape.voxelSide())  // radii are as exact as voxels are
+      seeds.beside.push_back(seed);
+  }
+  return seeds;
+}
 
-CorrectedRegion corrected(const Volume& volume, const Competition& competition, const FirstRegion& first,
-                          std::span<const glm::ivec3> inside, std::span<const glm::ivec3> outside) {
+/// Takes away what lies beyond the narrow places, up to every tolerance.
+void cutLeak(const Volume& volume, const Competition& competition, std::span<const glm::ivec3> beyond,
+             FirstRegion& region) {
+  const int automatic = region.curve.automatic;
+  const CutCost cost = cutCost(region, competition.priorOf(region), competition.bodyVolume());
+  const std::vector<std::uint8_t> taken =
+      cutOff(volume, region.joins, automatic, std::span(&region.seed, 1), beyond, cost);
+  for (std::size_t i = 0; i < taken.size(); ++i)
+    if (taken[i] || region.joins[i] >= automatic) region.joins[i] = never;
+  region.curve = competition.curveOf(region.joins, region);
+  beginWith(region.curve, automatic);
+}
+
+/// The region of the first seed that a leak hides; empty where no seed outside tells of one. It is found without the
+/// further seeds inside, which add to what a user has seen when they were set.
+std::optional<FirstRegion> behindLeak(const Volume& volume, const Competition& competition, const FirstRegion& first,
+                                      std::span<const glm::ivec3> outside) {
+  if (first.isBone || first.isTube ||
+      first.curve.volume[static_cast<std::size_t>(first.curve.automatic)] <= leakShare * competition.bodyVolume())
+    return std::nullopt;
+  std::optional<FirstRegion> found;
+  std::vector<glm::ivec3> excluded, others(outside.begin(), outside.end());
+  while (!found || !(found->isBone || found->isTube)) {
+    const DeepSeeds seeds = deepSeeds(volume.grid, found ? *found : first, others);
+    for (const auto* deep : {&seeds.beside, &seeds.beyond})
+      for (const glm::ivec3 seed : *deep) {
+        excluded.push_back(seed);
+        std::erase(others, seed);
+      }
+    if (!seeds.beside.empty()) {
+      std::optional<FirstRegion> without = competition.without(excluded, first);
+      if (!without) break;
+      found = std::move(without);
+    } else if (!seeds.beyond.empty()) {
+      if (!found) found = first;
+      cutLeak(volume, competition, seeds.beyond, *found);
+    } else {
+      break;
+    }
+  }
+  return found;
+}
+
+CorrectedRegion correctedBeyond(const Volume& volume, const Competition& competition, const FirstRegion& first,
+                                std::span<const glm::ivec3> inside, std::span<const glm::ivec3> outside) {
   CorrectedRegion region{first.joins, {}};
   std::vector<Level>& joins = region.joins;
   const int automatic = first.curve.automatic;
@@ -153,6 +216,14 @@ CorrectedRegion corrected(const Volume& volume, const Competition& competition, 
   region.curve = competition.curveOf(joins, first);
   beginWith(region.curve, automatic);
   return region;
+}
+
+}  // namespace
+
+CorrectedRegion corrected(const Volume& volume, const Competition& competition, const FirstRegion& first,
+                          std::span<const glm::ivec3> inside, std::span<const glm::ivec3> outside) {
+  const std::optional<FirstRegion> found = behindLeak(volume, competition, first, outside);
+  return correctedBeyond(volume, competition, found ? *found : first, inside, outside);
 }
 
 }  // namespace fenestra::segmentation

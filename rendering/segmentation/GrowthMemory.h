@@ -2,11 +2,13 @@
 // What regions of one volume share, so that a correction need not begin anew.
 
 #include <memory>
+#include <optional>
 #include <utility>
 #include <vector>
 
 #include "rendering/segmentation/BoneTree.h"
 #include "rendering/segmentation/Curve.h"
+#include "rendering/segmentation/HounsfieldGuess.h"
 #include "rendering/segmentation/Smoothing.h"
 #include "rendering/segmentation/TissueTree.h"
 
@@ -29,12 +31,17 @@ struct FirstRegion {
 class GrowthMemory {
  public:
   GrowthMemory(std::shared_ptr<const TissueTree> tissues = nullptr)
-      : held_(std::make_shared<Held>(Held{std::move(tissues), nullptr, nullptr})) {}
+      : held_(std::make_shared<Held>(Held{std::move(tissues), nullptr, nullptr, std::nullopt})) {}
 
   std::shared_ptr<const TissueTree>& tissues() const { return held_->tissues; }
   /// Null where the volume is no CT, and until a seed is near a bone.
   std::shared_ptr<const BoneTree>& bones() const { return held_->bones; }
   std::shared_ptr<const FirstRegion>& first() const { return held_->first; }
+  /// hounsfieldGuess() of the memory's volume, which is asked once.
+  const std::optional<HounsfieldGuess>& guessOf(const Volume& volume) const {
+    if (!held_->guess) held_->guess = hounsfieldGuess(volume);
+    return *held_->guess;
+  }
   std::size_t bytes() const {
     return (held_->tissues ? held_->tissues->heldBytes() : 0) + (held_->bones ? held_->bones->heldBytes() : 0) +
            (held_->first ? held_->first->joins.size() + held_->first->costs.size() : 0);
@@ -45,6 +52,7 @@ class GrowthMemory {
     std::shared_ptr<const TissueTree> tissues;
     std::shared_ptr<const BoneTree> bones;
     std::shared_ptr<const FirstRegion> first;
+    std::optional<std::optional<HounsfieldGuess>> guess;
   };
   std::shared_ptr<Held> held_;
 };

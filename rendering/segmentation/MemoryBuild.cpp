@@ -28,14 +28,16 @@ bool MemoryBuild::wait(const std::function<bool()>& goOn) {
 }
 
 bool MemoryBuild::lacksBones(const Volume& volume) const {
-  return mayHaveBones(volume) && !memory_.bones() &&
-         std::any_of(seeds_.begin(), seeds_.end(), [&](glm::ivec3 seed) { return BoneTree::isNear(volume, seed); });
+  return mayHaveBones(volume) && !memory_.bones() && std::any_of(seeds_.begin(), seeds_.end(), [&](glm::ivec3 seed) {
+           return BoneTree::isNear(volume, memory_.guessOf(volume), seed);
+         });
 }
 
 void MemoryBuild::build(const Volume& volume) {
   std::future<std::shared_ptr<const BoneTree>> bones;
   if (lacksBones(volume))
-    bones = std::async(std::launch::async, [&] { return BoneTree::build(volume, [this] { return !stops_; }); });
+    bones = std::async(std::launch::async,
+                       [&] { return BoneTree::build(volume, memory_.guessOf(volume), [this] { return !stops_; }); });
   if (!memory_.tissues()) memory_.tissues() = TissueTree::build(volume, [this](double) { return !stops_; });
   if (bones.valid()) memory_.bones() = bones.get();
 }

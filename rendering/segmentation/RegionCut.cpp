@@ -12,19 +12,15 @@
 #include <boost/graph/boykov_kolmogorov_max_flow.hpp>
 #include <boost/graph/compressed_sparse_row_graph.hpp>
 
-#include "rendering/segmentation/Morphology.h"
+#include "rendering/segmentation/RegionBalls.h"
 #include "rendering/segmentation/VoxelBox.h"
 
 namespace fenestra::segmentation {
 namespace {
 
 constexpr double mostCutCells = 60000.0;  ///< of a region: a cut of more takes longer than a click may
-constexpr double largestClaim = 25.0, largestClaimSides = 40.0;  ///< mm, and voxel sides, whichever is less
-constexpr double bodyReach = 2.0;      ///< voxel sides: an irregular surface has balls that grow no farther than this
-constexpr double farNearer = 0.8;      ///< of the distance from a body that the seed inside has
-constexpr double leakThickness = 1.5;  ///< the radius of a leak's ball over that of the part that is meant
-constexpr float alwaysHeld = 0.02f;    ///< what a contact across the greatest difference costs, of one without any
-constexpr float claimed = 1e12f;       ///< mm²: no cut passes here
+constexpr float alwaysHeld = 0.02f;       ///< what a contact across the greatest difference costs, of one without any
+constexpr float claimed = 1e12f;          ///< mm²: no cut passes here
 
 /// A network of nodes 0 … count - 1, a source and a sink.
 class FlowNetwork {
@@ -217,39 +213,34 @@ enum class Side : std::uint8_t { None, Inside, Outside };
 /// By cell: whose ball holds it. Where balls of both sides meet, the one that it lies deeper in.
 class Claims {
  public:
-  Claims(const Grid& grid, const CutCells& cells, bool mayLeak)
-      : cells_(cells),
+  Claims(const RegionBalls& shape, const CutCells& cells, bool mayLeak)
+      : shape_(shape),
+        cells_(cells),
         mayLeak_(mayLeak),
-        worldFromIndex_(grid.worldFromIndex()),
-        side_(voxelSide(grid)),
-        largest_(std::min(largestClaim, largestClaimSides * side_)),
-        offsets_(nearestFirst(grid, largest_)),
         sides_(cells.count(), Side::None),
         places_(cells.count(), std::numeric_limits<double>::infinity()) {}
 
   /// Seeds that do not lie in the region claim nothing; false where that is so of all those outside.
   bool add(std::span<const glm::ivec3> inside, std::span<const glm::ivec3> outside) {
-    std::vector<Ball> balls;
+    std::vector<HeldBall> balls;
     for (const glm::ivec3 seed : outside)
-      if (cells_.holds(seed)) balls.push_back(ballAt(seed));
+      if (cells_.holds(seed)) balls.push_back(shape_.ballAt(seed));
     if (balls.empty()) return false;
     for (const glm::ivec3 seed : inside) {
       if (!cells_.holds(seed)) continue;
-      const Ball own = ballAt(seed), body = bodyOf(own);
+      const HeldBall own = shape_.ballAt(seed), body = shape_.bodyOf(own);
       claim(own, Side::Inside);
-      if (thickest_ == 0.0) thickest_ = body.radius;
+      if (deepest_ == 0.0) deepest_ = shape_.depthOf(own);
       // In a leak a further seed means what lies around it.
       if (seed != inside.front() && mayLeak_ &&
-          std::ranges::any_of(balls, [this](const Ball& ball) { return isLeak(ball); }))
+          std::ranges::any_of(balls, [this](const HeldBall& ball) { return isLeak(ball); }))
         continue;
       // A seed outside that lies in the middle of the body, or far nearer to it, means the body.
-      const bool isOutside = std::ranges::any_of(balls, [&](const Ball& ball) {
-        return lengthOf(body.centre - ball.centre) <
-               std::max(ball.radius, farNearer * lengthOf(body.centre - own.centre));
-      });
+      const bool isOutside =
+          std::ranges::any_of(balls, [&](const HeldBall& ball) { return shape_.means(ball, own, body); });
       if (!isOutside) claim(body, Side::Inside);
     }
-    for (const Ball& ball : balls) claim(ball, Side::Outside);
+    for (const HeldBall& ball : balls) claim(ball, Side::Outside);
     return true;
   }
 
@@ -281,42 +272,11 @@ class Claims {
   }
 
  private:
-  struct Ball {
-    glm::ivec3 centre{0};
-    double radius = 0.0;  ///< mm
-  };
+  bool isLeak(const HeldBall& outside) const { return mayLeak_ && outside.depth > leakThickness * deepest_; }
 
-  bool isLeak(const Ball& outside) const { return mayLeak_ && outside.radius > leakThickness * thickest_; }
-
-  double lengthOf(glm::ivec3 offset) const {
-    return glm::length(glm::dvec3(worldFromIndex_ * glm::dvec4(glm::dvec3(offset), 0.0)));
-  }
-
-  /// The largest ball around a voxel that the region holds.
-  Ball ballAt(glm::ivec3 voxel) const {
-    for (const auto& [offset, length] : offsets_)
-      if (!cells_.holds(voxel + offset)) return {voxel, length};
-    return {voxel, largest_};
-  }
-
-  /// The ball of the part that a ball lies in: from ball to ball nearby while they grow.
-  Ball bodyOf(Ball ball) const {
-    for (bool grows = true; grows && ball.radius < largest_;) {
-      Ball best = ball;
-      for (const auto& [offset, length] : offsets_) {
-        if (length > std::max(bodyReach * side_, std::min(ball.radius, 1.5 * bodyReach * side_))) break;
-        if (!cells_.holds(ball.centre + offset)) continue;
-        if (const Ball next = ballAt(ball.centre + offset); next.radius > best.radius) best = next;
-      }
-      grows = best.radius > ball.radius;
-      ball = best;
-    }
-    return ball;
-  }
-
-  void claim(const Ball& ball, Side side) {
+  void claim(const HeldBall& ball, Side side) {
     balls_.emplace_back(ball, side);
-    for (const auto& [offset, length] : offsets_) {
+    for (const auto& [offset, length] : shape_.offsets()) {
       const double place = length / ball.radius;
       if (place >= 1.0) break;
       const std::uint32_t cell = cells_.numberOf(ball.centre + offset);
@@ -326,15 +286,12 @@ class Claims {
     }
   }
 
+  const RegionBalls& shape_;
   const CutCells& cells_;
-  bool mayLeak_;  ///< the region is large enough for a leak
-  glm::dmat4 worldFromIndex_;
-  double side_;                      ///< mm, of a voxel
-  double largest_;                   ///< mm: radius
-  std::vector<BallOffset> offsets_;  ///< of the largest ball, the nearest first
-  std::vector<Side> sides_;          ///< by cell
-  double thickest_ = 0.0;            ///< mm: the radius of the part that the first seed inside lies in
-  std::vector<std::pair<Ball, Side>> balls_;
+  bool mayLeak_;             ///< the region is large enough for a leak
+  std::vector<Side> sides_;  ///< by cell
+  double deepest_ = 0.0;     ///< mm: the depth of the part that the first seed inside lies in
+  std::vector<std::pair<HeldBall, Side>> balls_;
   std::vector<double> places_;  ///< by cell: its distance from the seed over the ball's radius
 };
 
@@ -364,7 +321,8 @@ std::vector<std::uint8_t> cutOff(const Volume& volume, std::span<const Level> jo
   const VoxelBox whole = wholeOf(volume.grid.dims);
   std::vector<std::uint8_t> taken(joins.size(), 0);
   const CutCells cells(volume, joins, step);
-  Claims claims(volume.grid, cells, cells.volume() > cost.leak);
+  const RegionBalls shape(volume.grid, joins, step);
+  Claims claims(shape, cells, cells.volume() > cost.leak);
   if (!claims.add(inside, outside)) return taken;
   FlowNetwork network(cells.count());
   const bool hasLeak = claims.haveLeak();

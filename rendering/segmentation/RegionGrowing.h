@@ -14,7 +14,8 @@
 // and as a tube, the clearest one is chosen (Competition.h); one that is more of the body than a structure is only
 // where nothing else is clear. A further seed adds its own clearest region at the same tolerance, and no larger one
 // than its distance from the region lets expect. Seeds outside cut off their part of the chosen region (RegionCut.h),
-// and no tolerance reaches them.
+// and no tolerance reaches them. Where the region may have leaked, and no shape parts a seed outside from the first
+// one, the clearest region without that seed takes its place (Corrections.h).
 
 #include <functional>
 #include <memory>

@@ -60,7 +60,7 @@ double diceAt(const std::vector<Level>& joins, int step, const Grid& grid, Insid
 
 TEST(BoneTree, PartsTwoBonesAtTheirJointAndHoldsTheirMarrow) {
   const std::shared_ptr<Volume> volume = ctOf(jointGrid, jointValue);
-  const std::shared_ptr<const BoneTree> bones = BoneTree::build(*volume);
+  const std::shared_ptr<const BoneTree> bones = BoneTree::build(*volume, hounsfieldGuess(*volume));
   for (const glm::ivec3 seed : {glm::ivec3(left), glm::ivec3(left) + glm::ivec3(0, 12, 0)})
     EXPECT_GT(diceAt(*bones->joinsOf(seed), BoneTree::lastStep(), jointGrid, inLeft), 0.95);
   EXPECT_GT(diceAt(*bones->joinsOf(glm::ivec3(right)), BoneTree::lastStep(), jointGrid, inRight), 0.95);
@@ -68,13 +68,13 @@ TEST(BoneTree, PartsTwoBonesAtTheirJointAndHoldsTheirMarrow) {
 
 TEST(BoneTree, LargerTolerancesCrossTheJoint) {
   const std::shared_ptr<Volume> volume = ctOf(jointGrid, jointValue);
-  const std::vector<Level> joins = *BoneTree::build(*volume)->joinsOf(glm::ivec3(left));
+  const std::vector<Level> joins = *BoneTree::build(*volume, hounsfieldGuess(*volume))->joinsOf(glm::ivec3(left));
   EXPECT_GT(diceAt(joins, stepCount, jointGrid, [](glm::ivec3 at) { return inLeft(at) || inRight(at); }), 0.95);
 }
 
 TEST(BoneTree, HoldsNoSeedFarFromBone) {
   const std::shared_ptr<Volume> volume = ctOf(jointGrid, jointValue);
-  EXPECT_FALSE(BoneTree::build(*volume)->joinsOf({2, 2, 2}));
+  EXPECT_FALSE(BoneTree::build(*volume, hounsfieldGuess(*volume))->joinsOf({2, 2, 2}));
 }
 
 TEST(BoneVoxels, WhetherOneIsNearIsKnownWithoutAllOfThem) {
@@ -92,8 +92,8 @@ TEST(BoneVoxels, WhetherOneIsNearIsKnownWithoutAllOfThem) {
     EXPECT_EQ(isNearBone(*volume, voxel, ball), expected) << i;
   }
   EXPECT_GT(near, 50);
-  EXPECT_TRUE(BoneTree::isNear(*volume, glm::ivec3(left))) << "deep in marrow";
-  EXPECT_FALSE(BoneTree::isNear(*volume, {2, 2, 2}));
+  EXPECT_TRUE(BoneTree::isNear(*volume, hounsfieldGuess(*volume), glm::ivec3(left))) << "deep in marrow";
+  EXPECT_FALSE(BoneTree::isNear(*volume, hounsfieldGuess(*volume), {2, 2, 2}));
 }
 
 TEST(BoneTree, AClickFarFromBoneFindsNone) {
@@ -113,13 +113,13 @@ TEST(BoneTree, BloodWithContrastAgentIsTooEvenForBone) {
   const Grid grid = gridOf({40, 40, 40}, {1.0, 1.0, 1.0});
   const auto inVessel = [](glm::ivec3 at) { return std::hypot(at.x - 20.0, at.y - 20.0) <= 9.0; };
   const std::shared_ptr<Volume> vessel = ctOf(grid, [&](glm::ivec3 at) { return inVessel(at) ? blood : muscle; });
-  const std::shared_ptr<const BoneTree> dense = BoneTree::build(*vessel);
+  const std::shared_ptr<const BoneTree> dense = BoneTree::build(*vessel, hounsfieldGuess(*vessel));
   const std::vector<Level> joins = *dense->joinsOf({20, 20, 20});
   ASSERT_GT(diceAt(joins, BoneTree::lastStep(), grid, inVessel), 0.9);
   EXPECT_FALSE(dense->isBone(*vessel, joins, BoneTree::lastStep()));
 
   const std::shared_ptr<Volume> joint = ctOf(jointGrid, jointValue);
-  const std::shared_ptr<const BoneTree> bones = BoneTree::build(*joint);
+  const std::shared_ptr<const BoneTree> bones = BoneTree::build(*joint, hounsfieldGuess(*joint));
   EXPECT_TRUE(bones->isBone(*joint, *bones->joinsOf(glm::ivec3(left)), BoneTree::lastStep()));
 }
 
@@ -140,7 +140,7 @@ TEST(BoneTree, AClickInMarrowTakesItsBoneAlone) {
 }
 
 TEST(BoneTree, ABuildThatIsStoppedReturnsNothing) {
-  EXPECT_EQ(BoneTree::build(*ctOf(jointGrid, jointValue), [] { return false; }), nullptr);
+  EXPECT_EQ(BoneTree::build(*ctOf(jointGrid, jointValue), std::nullopt, [] { return false; }), nullptr);
 }
 
 TEST(BoneVoxels, FillsMarrowButNoWideHole) {
