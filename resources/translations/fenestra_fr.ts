@@ -658,6 +658,10 @@
         <translation>bornée</translation>
     </message>
     <message>
+        <source>approximate</source>
+        <translation>approchée</translation>
+    </message>
+    <message>
         <source>altered</source>
         <translation>altérée</translation>
     </message>
