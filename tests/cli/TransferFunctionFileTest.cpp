@@ -148,9 +148,9 @@ TEST(TransferFunctionFile, DefaultFollowsModalityAndRange) {
   EXPECT_EQ(defaultPreset(volumeOf<float>({0.0f, 0.5f, 1.0f})), "mr-t1") << "too few values to tell a CT";
 }
 
-/// Air, foam as much as half of the body, muscle with a scanner's noise, and bone of several densities; each value is
+/// Air, foam as much as half of the body, muscle with a scanner's noise, and bone up to `densest` HU; each value is
 /// `factor` · HU + `offset`.
-Volume headOf(double factor, double offset) {
+Volume headOf(double factor, double offset, double densest = 1500.0) {
   std::vector<float> values;
   const auto add = [&](int count, double from, double to) {
     for (int i = 0; i < count; ++i)
@@ -159,7 +159,7 @@ Volume headOf(double factor, double offset) {
   add(20000, -1020.0, -980.0);
   add(6000, -750.0, -300.0);
   add(9000, 0.0, 90.0);
-  add(1500, 100.0, 1500.0);
+  add(1500, 100.0, densest);
   return volumeOf(values);
 }
 
@@ -173,7 +173,9 @@ TEST(TransferFunctionFile, ACtInOtherUnitsStartsAsOneAndKeepsItsTissuesColours) 
   const auto path = written(R"({"name": "x", "domain": "value", "nodes": [
       {"value": 150, "colour": [1, 1, 1], "opacity": 0}]})");
   EXPECT_EQ(loadContextFunction(path.string(), stored).function.nodes[0].value, 150.0) << "the volume's own values";
-  EXPECT_EQ(defaultPreset(headOf(0.7, 800.0)), "mr-t1") << "foam, and a scale that is not known";
+  EXPECT_EQ(defaultPreset(headOf(0.7, 800.0)), "ct-soft-tissue") << "a scale that is not known";
+  EXPECT_EQ(defaultPreset(headOf(0.7, 800.0, 700.0)), "mr-t1") << "nothing as dense as compact bone";
+  EXPECT_EQ(defaultPreset(headOf(1.0, 1024.0, 700.0)), "mr-t1") << "nothing as dense as compact bone";
   Volume mr = headOf(1.0, 1024.0);
   mr.modality = Modality::MR;
   EXPECT_EQ(defaultPreset(mr), "mr-t1");
