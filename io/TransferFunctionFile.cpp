@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fstream>
+#include <numeric>
 #include <optional>
 #include <string_view>
 #include <system_error>
@@ -10,6 +11,7 @@
 #include <nlohmann/json.hpp>
 
 #include "fenestra/resources.h"
+#include "rendering/segmentation/HounsfieldGuess.h"
 
 namespace fenestra::io {
 namespace {
@@ -23,7 +25,7 @@ constexpr std::string_view presetEnding = ".json";
 std::string presetPath(const std::string& id) { return std::string(presetFolder) + id + std::string(presetEnding); }
 
 /// What the values of nodes are.
-enum class Domain : std::uint8_t { Value, Percentile, Uptake };
+enum class Domain : std::uint8_t { Value, Hounsfield, Percentile, Uptake };
 
 /// Reads one description; every mistake is an Error that names `source` and says which entry it is.
 class Parser {
@@ -47,10 +49,12 @@ class Parser {
 
   Domain domain() const {
     const auto domain = root_.find("domain");
-    for (const auto& [word, meant] :
-         {std::pair("value", Domain::Value), {"percentile", Domain::Percentile}, {"uptake", Domain::Uptake}})
+    for (const auto& [word, meant] : {std::pair("value", Domain::Value),
+                                      {"hounsfield", Domain::Hounsfield},
+                                      {"percentile", Domain::Percentile},
+                                      {"uptake", Domain::Uptake}})
       if (domain != root_.end() && *domain == word) return meant;
-    fail("\"domain\" is none of \"value\", \"percentile\", \"uptake\"");
+    fail("\"domain\" is none of \"value\", \"hounsfield\", \"percentile\", \"uptake\"");
   }
 
   /// Nodes with values as written. `voxel`: the finest spacing, mm.
@@ -202,6 +206,65 @@ class TissueDistribution {
   std::vector<double> values_;
 };
 
+/// MR may have the narrow peak of soft tissue by chance, but hardly any of it is nearly twice as bright as that, as
+/// compact bone is in CT: in the heads of the test data, 10 % and more.
+constexpr double compactBone = 776.0;       ///< HU
+constexpr double leastCompactBone = 0.004;  ///< of the body's voxels
+
+/// HU = factor · real value + offset.
+struct HounsfieldScale {
+  double factor, offset;
+};
+
+/// Whether a volume of no known kind has the values of CT plus 1024, as scanners store them and some converters leave
+/// them. The scale is known then, so that less is asked of the values than of a guess, which foam around a head fails.
+bool isStoredCt(const Volume& volume) {
+  constexpr double airBelow = -900.0, bodyAbove = -500.0;              // HU
+  constexpr double softLow = -20.0, softHigh = 90.0, softHalf = 60.0;  // HU: muscle, brain and organs
+  constexpr int stored = 1024, most = 4096;
+  if (volume.modality != Modality::Unknown && volume.modality != Modality::CT) return false;
+  if (volume.range.low < 0.0 || volume.range.low > stored + airBelow || volume.range.high >= most) return false;
+  std::vector<double> counts(most, 0.0);
+  volume.voxels.visit([&](auto scalars) {
+    const std::size_t stride = scalars.size() >> 20 | 1;
+    for (std::size_t i = 0; i < scalars.size(); i += stride) {
+      const double real = volume.slope * static_cast<double>(scalars[i]) + volume.intercept;
+      if (real >= 0.0 && real < most) ++counts[static_cast<std::size_t>(real)];
+    }
+  });
+  const auto between = [&](double low, double high) {
+    const auto at = [&](double hounsfield) {
+      return counts.begin() + static_cast<std::ptrdiff_t>(std::clamp(hounsfield + stored, 0.0, double(most)));
+    };
+    return std::accumulate(at(low), at(high), 0.0);
+  };
+  // The peak of a window that is as wide as scanners' noise.
+  constexpr double step = 10.0, half = 15.0;
+  double peak = bodyAbove, height = 0.0;
+  for (double middle = bodyAbove; middle + half < most - stored; middle += step)
+    if (const double here = between(middle - half, middle + half); here > height) {
+      height = here;
+      peak = middle;
+    }
+  const double body = between(bodyAbove, most);
+  return peak >= softLow && peak <= softHigh && between(peak - softHalf, peak + softHalf) >= 0.25 * body &&
+         between(compactBone, most) >= leastCompactBone * body &&
+         between(-stored, airBelow) >= 0.02 * (body + between(-stored, bodyAbove));
+}
+
+/// The units of a CT that is in others than Hounsfield's; empty where it is in them or is no CT.
+std::optional<HounsfieldScale> hounsfieldScaleOf(const Volume& volume) {
+  if (volume.isInHounsfieldUnits()) return std::nullopt;
+  if (isStoredCt(volume)) return HounsfieldScale{1.0, -1024.0};
+  const auto guess = segmentation::hounsfieldGuess(volume);
+  if (!guess) return std::nullopt;
+  const HounsfieldScale scale{guess->factor, guess->offset};
+  const bool isKnownCt = volume.modality == Modality::CT;
+  const double compact = (compactBone - scale.offset) / scale.factor;
+  if (!isKnownCt && TissueDistribution(volume).shareAbove(compact) < leastCompactBone) return std::nullopt;
+  return scale;
+}
+
 }  // namespace
 
 std::vector<TransferFunctionPreset> transferFunctionPresets() {
@@ -227,6 +290,12 @@ ContextFunction loadContextFunction(const std::string& presetOrPath, const Volum
   const glm::dvec3 spacing = volume.grid.spacing;
   context.function = parser.function(std::min({spacing.x, spacing.y, spacing.z}));
   if (parser.domain() == Domain::Value) return context;
+  if (parser.domain() == Domain::Hounsfield) {
+    if (const auto scale = hounsfieldScaleOf(volume))
+      for (TransferFunction::Node& node : context.function.nodes)
+        node.value = (node.value - scale->offset) / scale->factor;
+    return context;
+  }
   // The mean of a body's standardised uptake value is 1, but for what has left it: that is its definition.
   const bool isStandardised = parser.domain() == Domain::Uptake && volume.unit == "GML";
   if (isStandardised) return context;
@@ -240,7 +309,7 @@ ContextFunction loadContextFunction(const std::string& presetOrPath, const Volum
 std::string defaultPreset(const Volume& volume) {
   if (volume.modality == Modality::PT) return "pet";
   if (volume.modality == Modality::US) return "ultrasound";
-  if (volume.isInHounsfieldUnits()) return "ct-soft-tissue";
+  if (volume.isInHounsfieldUnits() || hounsfieldScaleOf(volume)) return "ct-soft-tissue";
   // What is in no unit is shown by its own distribution. Fluid, which is what T2 shows bright, is a few per cent of a
   // body or head or more; vessels with flowing blood are less, and stand out farther.
   const TissueDistribution tissue(volume);

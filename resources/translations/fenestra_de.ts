@@ -666,6 +666,10 @@
         <translation>begrenzt</translation>
     </message>
     <message>
+        <source>approximate</source>
+        <translation>angenähert</translation>
+    </message>
+    <message>
         <source>altered</source>
         <translation>verändert</translation>
     </message>

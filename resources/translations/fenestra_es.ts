@@ -666,6 +666,10 @@
         <translation>acotada</translation>
     </message>
     <message>
+        <source>approximate</source>
+        <translation>aproximada</translation>
+    </message>
+    <message>
         <source>altered</source>
         <translation>alterada</translation>
     </message>

@@ -666,6 +666,10 @@
         <translation>bornée</translation>
     </message>
     <message>
+        <source>approximate</source>
+        <translation>approchée</translation>
+    </message>
+    <message>
         <source>altered</source>
         <translation>altérée</translation>
     </message>

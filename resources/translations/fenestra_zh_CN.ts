@@ -666,6 +666,10 @@
         <translation>误差有界</translation>
     </message>
     <message>
+        <source>approximate</source>
+        <translation>近似</translation>
+    </message>
+    <message>
         <source>altered</source>
         <translation>有改动</translation>
     </message>

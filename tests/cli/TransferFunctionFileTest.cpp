@@ -9,6 +9,7 @@
 
 #include <gtest/gtest.h>
 
+#include "io/VolumeReader.h"
 #include "tests/support/TestData.h"
 
 namespace fenestra::io::transferFunctionFileTest {
@@ -144,8 +145,54 @@ TEST(TransferFunctionFile, DefaultFollowsModalityAndRange) {
   mr.modality = Modality::US;
   EXPECT_EQ(defaultPreset(mr), "ultrasound");
   EXPECT_EQ(defaultPreset(volumeOf<std::int32_t>({-1207, 40, 3382})), "ct-soft-tissue") << "HU without a modality";
-  EXPECT_EQ(defaultPreset(volumeOf<float>({0.0f, 0.5f, 1.0f})), "mr-t1") << "CT rescaled to 0..1";
-  EXPECT_EQ(defaultPreset(volumeOf<std::int16_t>({0, 2669})), "mr-t1") << "CT offset by 1024";
+  EXPECT_EQ(defaultPreset(volumeOf<float>({0.0f, 0.5f, 1.0f})), "mr-t1") << "too few values to tell a CT";
+}
+
+/// Air, foam as much as half of the body, muscle with a scanner's noise, and bone up to `densest` HU; each value is
+/// `factor` · HU + `offset`.
+Volume headOf(double factor, double offset, double densest = 1500.0) {
+  std::vector<float> values;
+  const auto add = [&](int count, double from, double to) {
+    for (int i = 0; i < count; ++i)
+      values.push_back(static_cast<float>(factor * (from + (to - from) * i / count) + offset));
+  };
+  add(20000, -1020.0, -980.0);
+  add(6000, -750.0, -300.0);
+  add(9000, 0.0, 90.0);
+  add(1500, 100.0, densest);
+  return volumeOf(values);
+}
+
+TEST(TransferFunctionFile, ACtInOtherUnitsStartsAsOneAndKeepsItsTissuesColours) {
+  const Volume stored = headOf(1.0, 1024.0), inUnits = headOf(1.0, 0.0);
+  EXPECT_EQ(defaultPreset(stored), "ct-soft-tissue");
+  EXPECT_EQ(plainPreset(stored), "mr") << "the plain look is what it was";
+  const auto expected = loadContextFunction("ct-bone", inUnits).function.nodes;
+  const auto shown = loadContextFunction("ct-bone", stored).function.nodes;
+  for (std::size_t i = 0; i < expected.size(); ++i) EXPECT_EQ(shown[i].value, expected[i].value + 1024.0);
+  const auto path = written(R"({"name": "x", "domain": "value", "nodes": [
+      {"value": 150, "colour": [1, 1, 1], "opacity": 0}]})");
+  EXPECT_EQ(loadContextFunction(path.string(), stored).function.nodes[0].value, 150.0) << "the volume's own values";
+  EXPECT_EQ(defaultPreset(headOf(0.7, 800.0)), "ct-soft-tissue") << "a scale that is not known";
+  EXPECT_EQ(defaultPreset(headOf(0.7, 800.0, 700.0)), "mr-t1") << "nothing as dense as compact bone";
+  EXPECT_EQ(defaultPreset(headOf(1.0, 1024.0, 700.0)), "mr-t1") << "nothing as dense as compact bone";
+  Volume mr = headOf(1.0, 1024.0);
+  mr.modality = Modality::MR;
+  EXPECT_EQ(defaultPreset(mr), "mr-t1");
+}
+
+TEST(TransferFunctionFile, RealCtsInOtherUnitsStartAsCtsAndMrDoesNot) {
+  const auto presetOf = [](const char* path) {
+    const std::filesystem::path file = tests::findTestData(path);
+    return file.empty() ? std::string() : defaultPreset(*openVolume(file).volume);
+  };
+  if (presetOf("visible-human/vm_head_ct.mha").empty()) GTEST_SKIP() << "needs visible-human/vm_head_ct.mha";
+  for (const char* path : {"visible-human/vm_head_ct.mha", "dicom/ct-tiny-uniform", "ct-head/ct.nii.gz"})
+    EXPECT_EQ(presetOf(path), "ct-soft-tissue") << path;
+  for (const char* path :
+       {"visible-human/vm_head_mri.mha", "labelled/brain-colin27/ch2.nii.gz", "formats/metaimage/HeadMRVolume.mhd",
+        "formats/nifti/ras.hdr", "dicom/enhanced/Philips_WIP_B0_NS_801_e1.nii"})
+    EXPECT_EQ(presetOf(path).substr(0, 3), "mr-") << path;
 }
 
 /// Air, tissue around 100, and `bright` of a thousand voxels that are `times` as bright.

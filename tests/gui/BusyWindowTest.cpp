@@ -158,7 +158,7 @@ TEST_F(BusyWindow, PointingAtTheChipSaysWhy) {
     return QToolTip::text();
   };
   EXPECT_EQ(pointAt(volume(0), {15, 16}), linesOf(volume(0)->fidelity()).join(QLatin1Char('\n')));
-  EXPECT_TRUE(QToolTip::text().startsWith(QStringLiteral("altered")));
+  EXPECT_TRUE(QToolTip::text().startsWith(QStringLiteral("approximate")));
   EXPECT_EQ(pointAt(slice(SlicePlane::Coronal), {15, 16}), QStringLiteral("faithful"));
 }
 
@@ -167,7 +167,7 @@ TEST_F(BusyWindow, TheChipOfEachViewHasTheColourOfItsGrade) {
     const QImage image = picture(view);
     return image.pixelColor(QPointF(8.0, 10.0).toPoint() * image.devicePixelRatio());
   };
-  EXPECT_EQ(chip(volume(0)), QColor(240, 190, 70)) << "a draft has no bound";
+  EXPECT_EQ(chip(volume(0)), QColor(200, 205, 210)) << "without a bound";
   EXPECT_EQ(chip(slice(SlicePlane::Axial)), QColor(110, 200, 130));
   views().setAtRest(Quality::Normal, 4.0);
   waitUntilDrawn();

@@ -5,6 +5,7 @@
 #include <functional>
 
 #include "rendering/segmentation/DrawnScene.h"
+#include "rendering/settings/StartingLook.h"
 #include "viewer/model/Fidelity.h"
 
 namespace fenestra::viewer::fidelityTest {
@@ -68,6 +69,7 @@ struct Alteration {
   std::function<void(Shown&)> force;
   const char* says;
   bool in3D = true, inSlices = false;
+  Fidelity grade = Fidelity::Altered;
 };
 
 std::vector<Alteration> alterations() {
@@ -83,17 +85,21 @@ std::vector<Alteration> alterations() {
          s.state.scale = 0.5;
        },
        "50 % of the size", true, true},
-      {"no bound", [](Shown& s) { s.state.maxError.reset(); }, "no bound (quality: normal)"},
+      {"no bound", [](Shown& s) { s.state.maxError.reset(); }, "no bound (quality: normal)", true, false,
+       Fidelity::Approximate},
       {"joined voxels", [](Shown& s) { s.state.reduction = QStringLiteral("2×2×2 voxels as one"); }, "2×2×2"},
-      {"spline", [](Shown& s) { s.scene.look.reconstruction = Reconstruction::Smooth; }, "smoothed between voxels"},
-      {"smoother spline", [](Shown& s) { s.scene.look.reconstruction = Reconstruction::Smoother; }, "several voxels"},
-      {"cubic spline", [](Shown& s) { s.scene.look.reconstruction = Reconstruction::Cubic; }, "cubic"},
+      {"spline", [](Shown& s) { s.scene.look.reconstruction = Reconstruction::Smooth; }, "smoothed between voxels",
+       true, false, Fidelity::Approximate},
+      {"smoother spline", [](Shown& s) { s.scene.look.reconstruction = Reconstruction::Smoother; }, "several voxels",
+       true, false, Fidelity::Approximate},
+      {"cubic spline", [](Shown& s) { s.scene.look.reconstruction = Reconstruction::Cubic; }, "cubic", true, false,
+       Fidelity::Approximate},
       {"labels",
        [](Shown& s) {
          s.scene.look.focus = LabelFocus{{1}};
          s.scene.look.labelSmoothing = LabelSmoothing::Light;
        },
-       "labels is smoothed lightly"},
+       "labels is smoothed lightly", true, false, Fidelity::Approximate},
       {"clipped",
        [](Shown& s) {
          s.scene.look.clipping.planes = {{glm::dvec3(1, 0, 0), 5.0}};
@@ -144,12 +150,22 @@ TEST(Fidelity, NothingAltersAPictureInSilence) {
   for (const Alteration& each : alterations()) {
     Shown shown;
     each.force(shown);
-    EXPECT_EQ(shown.grade(), each.in3D ? Fidelity::Altered : Fidelity::Faithful) << each.name;
+    EXPECT_EQ(shown.grade(), each.in3D ? each.grade : Fidelity::Faithful) << each.name;
     EXPECT_TRUE(shown.text().contains(QString::fromUtf8(each.says))) << each.name << ": " << shown.text().toStdString();
-    EXPECT_EQ(shown.causes().front().grade, Fidelity::Altered) << each.name << ": the worst is told first";
+    EXPECT_EQ(shown.causes().front().grade, each.grade) << each.name << ": the worst is told first";
     shown.state.is3D = false;
     EXPECT_EQ(shown.grade(), each.inSlices ? Fidelity::Altered : Fidelity::Faithful) << each.name << " in a slice";
   }
+}
+
+TEST(Fidelity, WhatDataOpenWithWarnsOfNothing) {
+  Shown shown;
+  shown.scene.look = startingLook();
+  shown.scene.look.focus = LabelFocus{{1}};
+  shown.state.maxError.reset();
+  EXPECT_EQ(shown.grade(), Fidelity::Approximate) << shown.text().toStdString();
+  shown.scene.look.labels = {{.label = 2, .role = LabelRole::Hidden}};
+  EXPECT_EQ(shown.grade(), Fidelity::Altered);
 }
 
 TEST(Fidelity, ASliceSaysThatItWasNotScanned) {

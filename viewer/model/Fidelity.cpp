@@ -24,6 +24,9 @@ QString counted(std::size_t count, const QString& one, const QString& many) {
 
 void alter(Causes& causes, const QString& text) { causes.push_back({Fidelity::Altered, text}); }
 
+/// What every new study opens with must not warn, or nobody would look at the warning that matters.
+void approximate(Causes& causes, const QString& text) { causes.push_back({Fidelity::Approximate, text}); }
+
 QString mm(double length) { return numberText(length, 3, 'g'); }
 
 /// What was done to the slices of an irregular series.
@@ -133,27 +136,27 @@ void addSampling(Causes& causes, const Scene& scene, const PictureState& state) 
   if (!state.reduction.isEmpty()) alter(causes, state.reduction);
   switch (reconstructionOf(scene)) {
     case Reconstruction::Smooth:
-      alter(causes, FidelityWords::tr("values are smoothed between voxels"));
+      approximate(causes, FidelityWords::tr("values are smoothed between voxels"));
       break;
     case Reconstruction::Smoother:
-      alter(causes, FidelityWords::tr("values are smoothed over several voxels"));
+      approximate(causes, FidelityWords::tr("values are smoothed over several voxels"));
       break;
     case Reconstruction::Cubic:
-      alter(causes, FidelityWords::tr("values between voxels follow a cubic spline, which may overshoot"));
+      approximate(causes, FidelityWords::tr("values between voxels follow a cubic spline, which may overshoot"));
       break;
     case Reconstruction::Linear:
     case Reconstruction::Auto:
       break;
   }
   if (look.labelSmoothing != LabelSmoothing::Off && std::holds_alternative<LabelFocus>(look.focus))
-    alter(causes, look.labelSmoothing == LabelSmoothing::Light
-                      ? FidelityWords::tr("the surface of labels is smoothed lightly")
-                      : FidelityWords::tr("the surface of labels is smoothed strongly"));
+    approximate(causes, look.labelSmoothing == LabelSmoothing::Light
+                            ? FidelityWords::tr("the surface of labels is smoothed lightly")
+                            : FidelityWords::tr("the surface of labels is smoothed strongly"));
   if (state.isDraft) {
     addDraft(causes, state);
   } else if (!state.maxError) {
-    alter(causes, FidelityWords::tr("the sampling error has no bound (quality: %1)")
-                      .arg(nameOf(Effort{.quality = state.quality})));
+    approximate(causes, FidelityWords::tr("the sampling error has no bound (quality: %1)")
+                            .arg(nameOf(Effort{.quality = state.quality})));
   } else {
     causes.push_back({*state.maxError > invisibleError ? Fidelity::Bounded : Fidelity::Faithful,
                       FidelityWords::tr("the sampling error is at most %1/255").arg(*state.maxError)});
@@ -189,15 +192,17 @@ Fidelity gradeOf(const std::vector<FidelityCause>& causes) {
 }
 
 QString nameOf(Fidelity grade) {
-  return grade == Fidelity::Faithful  ? FidelityWords::tr("faithful")
-         : grade == Fidelity::Bounded ? FidelityWords::tr("bounded")
-                                      : FidelityWords::tr("altered");
+  return grade == Fidelity::Faithful      ? FidelityWords::tr("faithful")
+         : grade == Fidelity::Bounded     ? FidelityWords::tr("bounded")
+         : grade == Fidelity::Approximate ? FidelityWords::tr("approximate")
+                                          : FidelityWords::tr("altered");
 }
 
 QString symbolOf(Fidelity grade) {
-  return grade == Fidelity::Faithful  ? QStringLiteral("=")
-         : grade == Fidelity::Bounded ? QStringLiteral("≤")
-                                      : QStringLiteral("≠");
+  return grade == Fidelity::Faithful      ? QStringLiteral("=")
+         : grade == Fidelity::Bounded     ? QStringLiteral("≤")
+         : grade == Fidelity::Approximate ? QStringLiteral("≈")
+                                          : QStringLiteral("≠");
 }
 
 QStringList linesOf(const std::vector<FidelityCause>& causes) {

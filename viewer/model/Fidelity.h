@@ -18,9 +18,10 @@ namespace fenestra::viewer {
 
 /// How far a cause takes the picture from the data; a picture has the grade of its worst cause.
 enum class Fidelity : std::uint8_t {
-  Faithful,  ///< the data as they are in the file, to half a step of a screen's colours
-  Bounded,   ///< a known bound holds
-  Altered    ///< something differs from the data, or has no bound
+  Faithful,     ///< the data as they are in the file, to half a step of a screen's colours
+  Bounded,      ///< a known bound holds
+  Approximate,  ///< all data show in their places, smoothed or sampled without a bound, as the settings say
+  Altered       ///< data are hidden, moved, missing or wrong, or the picture is not the one that was asked for
 };
 
 struct FidelityCause {
@@ -52,9 +53,9 @@ inline constexpr double invisibleError = 0.5;
 std::vector<FidelityCause> fidelityOf(const io::Study& study, const Scene& scene, const PictureState& state);
 /// The worst; Faithful without a cause.
 Fidelity gradeOf(const std::vector<FidelityCause>& causes);
-/// "faithful", "bounded", "altered".
+/// "faithful", "bounded", "approximate", "altered".
 QString nameOf(Fidelity grade);
-/// One character: "=", "≤", "≠".
+/// One character: "=", "≤", "≈", "≠".
 QString symbolOf(Fidelity grade);
 /// The grade, then a line for each cause.
 QStringList linesOf(const std::vector<FidelityCause>& causes);

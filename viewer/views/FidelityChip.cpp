@@ -20,6 +20,8 @@ QColor colourOf(Fidelity grade) {
       return {110, 200, 130};
     case Fidelity::Bounded:
       return {110, 180, 240};
+    case Fidelity::Approximate:
+      return {200, 205, 210};
     case Fidelity::Altered:
       break;
   }
