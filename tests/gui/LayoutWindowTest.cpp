@@ -8,6 +8,7 @@
 #include <QApplication>
 #include <QComboBox>
 #include <QDockWidget>
+#include <QMouseEvent>
 #include <QScreen>
 #include <QScrollArea>
 #include <QScrollBar>
@@ -299,7 +300,12 @@ TEST_F(Window, HeightsOfPanelsAreTheUsersOnceABorderWasDragged) {
     const std::vector<int> first = dockHeights(window);
     auto* context = window.findChild<QDockWidget*>(QStringLiteral("contextDock"));
     const QPoint border(context->geometry().center().x(), context->y() - 3);
-    drag(&window, border, border + QPoint(0, 60));
+    QTest::mousePress(&window, Qt::LeftButton, {}, border);
+    QMouseEvent move(QEvent::MouseMove, border + QPoint(0, 60), window.mapToGlobal(border + QPoint(0, 60)),
+                     Qt::NoButton, Qt::LeftButton, {});
+    QApplication::sendEvent(&window, &move);
+    QCoreApplication::processEvents();  // the window moves a border from the event loop, and not after the release
+    QTest::mouseRelease(&window, Qt::LeftButton, {}, border + QPoint(0, 60));
     QCoreApplication::processEvents();
     chosen = dockHeights(window);
     ASSERT_LT(chosen[1], first[1] - 30);

@@ -48,7 +48,7 @@ CutawayPanel::CutawayPanel(Document& document, Carving& carving, QWidget* parent
   int widest = 0;
   for (int row = 0; row < form_->rowCount(); ++row)
     if (const QLayoutItem* label = form_->itemAt(row, QFormLayout::LabelRole))
-      widest = std::max(widest, label->widget()->minimumSizeHint().width());
+      widest = std::max(widest, label->widget()->sizeHint().width());
   form_->labelForField(method_)->setMinimumWidth(widest);
   width_ = QWidget::minimumSizeHint().width();
   connect(look_, &QComboBox::activated, this, &CutawayPanel::apply);
