@@ -4,6 +4,7 @@
 #include <initializer_list>
 #include <memory>
 
+#include <QtTest/qtestspontaneevent.h>
 #include <QAction>
 #include <QApplication>
 #include <QComboBox>
@@ -15,6 +16,7 @@
 #include <QSignalSpy>
 #include <QTest>
 #include <QToolButton>
+#include <QWheelEvent>
 
 #include "rendering/methods/Method.h"
 #include "tests/gui/CutTexts.h"
@@ -168,6 +170,13 @@ class Sections : public Window {
       }
     scroller.verticalScrollBar()->setValue(0);
   }
+  /// A wheel event as the window system sends it: Qt hands no other one on to parents.
+  static void wheelFromScreen(QWidget& widget, int notches) {
+    const QPointF at = widget.rect().center();
+    QWheelEvent event(at, widget.mapToGlobal(at), {}, {0, 120 * notches}, Qt::NoButton, {}, Qt::NoScrollPhase, false);
+    QSpontaneKeyEvent::setSpontaneous(&event);
+    qApp->notify(&widget, &event);
+  }
   void expectButtonsStay(FocusPanel& focus) {
     for (QAbstractButton* button : std::initializer_list<QAbstractButton*>{focus.byValue(), focus.paint()}) {
       focus.ensureWidgetVisible(button);
@@ -215,7 +224,7 @@ TEST_F(Sections, FitASmallLaptop) {
   SliderSpin& width = *cutaway.findChild<SliderSpin*>(QStringLiteral("border_width"));
   const double before = width.value();
   method.setFocus();
-  wheel(width.slider(), -1);
+  wheelFromScreen(*width.slider(), -1);
   EXPECT_EQ(width.value(), before);
   EXPECT_GT(scroller.verticalScrollBar()->value(), 0);
   LabelList& list = *panel<FocusPanel>().list();

@@ -1,7 +1,8 @@
 #include "viewer/panels/MethodRows.h"
 
+#include <cstdlib>
+
 #include <QHBoxLayout>
-#include <QLabel>
 
 #include "viewer/panels/ImportanceList.h"
 #include "viewer/panels/LookControls.h"
@@ -69,6 +70,16 @@ class GroupOf : public MethodRows::Group {
   std::vector<QWidget*> others_;
 };
 
+/// Broken at the space next to its middle. A label that wraps by itself must not be in these rows: for hidden rows
+/// whose height follows from their width, QFormLayout of Qt 6.4 writes behind the end of its memory.
+QString inTwoLines(QString text) {
+  qsizetype best = -1;
+  for (qsizetype at = text.indexOf(QLatin1Char(' ')); at >= 0; at = text.indexOf(QLatin1Char(' '), at + 1))
+    if (best < 0 || std::abs(2 * at - text.size()) < std::abs(2 * best - text.size())) best = at;
+  if (best >= 0) text[best] = QLatin1Char('\n');
+  return text;
+}
+
 template <class M>
 void addRows(GroupOf<M>& group, Document&) {
   forEachSetting<M>([&](const auto& setting) { group.add(setting.member); });
@@ -86,9 +97,7 @@ void addRows(GroupOf<methods::Importance>& group, Document& document) {
   row->addWidget(group.narrow(group.controls.choice(&Importance::mode)), 1);
   QComboBox* sparseness = group.narrow(group.controls.choice(&Importance::sparseness));
   row->addWidget(sparseness, 1);
-  auto* label = new QLabel(translated(settingOf(&Importance::mode).name));
-  label->setWordWrap(true);
-  group.add(label, row);
+  group.add(inTwoLines(translated(settingOf(&Importance::mode).name)), row);
   group.within(sparseness, keeps);
   group.add(&Importance::angle, removes);
   group.add(&Importance::opacity, keeps);

@@ -37,8 +37,9 @@ void ScrollingPanel::setBody(QWidget* body) {
   connect(verticalScrollBar(), &QScrollBar::rangeChanged, this, reserve);
   reserve(0, verticalScrollBar()->maximum());
   for (auto* widget : body->findChildren<QWidget*>())
-    if (qobject_cast<QComboBox*>(widget) || qobject_cast<QAbstractSlider*>(widget) ||
-        qobject_cast<QAbstractSpinBox*>(widget)) {
+    // A list's scroll bar is a slider, too, and gets the wheel of the list.
+    if (qobject_cast<QComboBox*>(widget) || qobject_cast<QAbstractSpinBox*>(widget) ||
+        (qobject_cast<QAbstractSlider*>(widget) && !qobject_cast<QScrollBar*>(widget))) {
       widget->setFocusPolicy(Qt::StrongFocus);
       widget->installEventFilter(this);
     }
@@ -98,7 +99,9 @@ bool ScrollingPanel::eventFilter(QObject* watched, QEvent* event) {
     updateGeometry();  // rows that appear may be wider than those before: the dock grows with them
   }
   const auto* widget = qobject_cast<QWidget*>(watched);
-  if (event->type() != QEvent::Wheel || !widget || widget->hasFocus()) return QScrollArea::eventFilter(watched, event);
+  // A scroll area watches its own bars, too, to which it hands the wheel.
+  if (event->type() != QEvent::Wheel || !widget || widget->hasFocus() || qobject_cast<const QScrollBar*>(widget))
+    return QScrollArea::eventFilter(watched, event);
   event->ignore();  // so that it goes on to the scroll area
   return true;
 }
