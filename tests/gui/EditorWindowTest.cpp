@@ -29,6 +29,7 @@ class EditorWindow : public Window {
   void SetUp() override {
     Window::SetUp();
     QApplication::setActiveWindow(window_.get());
+    bringUp("contextDock");
     plot().setFocus();
   }
   TransferFunctionEditor& editor() { return panel<AppearancePanel>().editor(); }

@@ -16,6 +16,11 @@ except ImportError:
     print("skipped: python3-pyatspi is not installed")
     sys.exit(77)
 
+from gi.repository import Atspi  # pyatspi has loaded it
+
+# A call waits for 0.8 s by default, and while other tests run the window may answer later than that.
+Atspi.set_timeout(60_000, 60_000)
+
 program, language = sys.argv[1:]
 texts = {
     "en": {"tick": "Open the context around the focus", "slider": "Opening", "choice": "Adaptive cutaway", "tab": "Clipping", "in tab": "Crop to a box",

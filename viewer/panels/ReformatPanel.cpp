@@ -98,6 +98,14 @@ ReformatPanel::ReformatPanel(Document& document, PathMode& mode, PathCameras& ca
   says_->setTextInteractionFlags(Qt::TextSelectableByMouse);
   // The texts change with every place: their room must not, or the pictures would jump.
   says_->setMinimumHeight(6 * fontMetrics().lineSpacing());
+  layOut();
+  soon_.setSingleShot(true);
+  soon_.setInterval(0);
+  connectAll();
+  say();
+}
+
+void ReformatPanel::layOut() {
   auto* buttons = new QHBoxLayout;
   for (QWidget* each : std::initializer_list<QWidget*>{draw_, follow_, delete_}) buttons->addWidget(each);
   buttons->addStretch();
@@ -116,10 +124,6 @@ ReformatPanel::ReformatPanel(Document& document, PathMode& mode, PathCameras& ca
   column->setContentsMargins(4, 4, 4, 4);
   column->addLayout(buttons);
   column->addLayout(pictures, 1);
-  soon_.setSingleShot(true);
-  soon_.setInterval(0);
-  connectAll();
-  say();
 }
 
 void ReformatPanel::connectAll() {

@@ -47,6 +47,7 @@ class ReformatPanel : public QWidget {
   void hideEvent(QHideEvent* event) override;
 
  private:
+  void layOut();
   void connectAll();
   /// Reads the structure in focus anew, where one shows.
   void forgetRegion();
