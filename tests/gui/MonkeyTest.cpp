@@ -24,6 +24,7 @@
 #include <QTimer>
 
 #include "tests/gui/WindowFixture.h"
+#include "viewer/archive/ArchiveDock.h"
 
 namespace fenestra::viewer::monkeyTest {
 namespace {
@@ -265,6 +266,7 @@ TEST_P(Monkey, TheWindowSurvivesAndAnswers) {
   QElapsedTimer clock;
   qint64 longest = 0;
   std::string longestEvent;
+  window_->findChild<ArchiveDock*>()->panel();  // made when the dock is first shown, and kept
   GlObjects before;
   int widgetsBefore = 0;
   std::ptrdiff_t windowsBefore = 0;

@@ -6,6 +6,12 @@
 namespace fenestra::viewer::sessionWindowTest {
 namespace {
 
+/// The handles that turn planes show under the mouse; a window that is opened again has it nowhere.
+void takeMouseOff(SliceView& slice) {
+  QEvent leave(QEvent::Leave);
+  QApplication::sendEvent(&slice, &leave);
+}
+
 TEST_F(SessionWindow, SavedAndReopenedShowsTheSamePictures) {
   work();
   const std::vector<QImage> before = pictures();
@@ -36,9 +42,7 @@ TEST_F(SessionWindow, KeepsAPaintedRegion) {
   drag(axial, at(-15.0), at(15.0));
   drag(axial, at(0.0), at(1.0), Qt::LeftButton, Qt::ShiftModifier);
   brush.setActive(false);
-  // The handles that turn planes show under the mouse, and the reopened window has none.
-  QEvent leave(QEvent::Leave);
-  QApplication::sendEvent(axial, &leave);
+  takeMouseOff(*axial);
   ASSERT_TRUE(QTest::qWaitFor([&] { return document().isWhole(); }, patience));
   waitUntilDrawn();
   ASSERT_EQ(document().region()->painted.size(), 2u);
@@ -184,6 +188,7 @@ TEST_F(SessionWindow, ARegionWithinABallIsGrownAgain) {
   SliceView* axial = slice(SlicePlane::Axial);
   const auto at = [&](double x) { return axial->widgetFromWorld(markerCentre + glm::dvec3(x, 0.0, 0.0)).toPoint(); };
   drag(axial, at(0.0), at(5.0), Qt::LeftButton, Qt::ShiftModifier);
+  takeMouseOff(*axial);
   ASSERT_TRUE(QTest::qWaitFor([&] { return document().isWhole(); }, patience));
   waitUntilDrawn();
   const RegionFocus region = *document().region();
