@@ -58,26 +58,23 @@ bool inBody(glm::ivec3 at) {
 bool inLeft(glm::ivec3 at) { return inBody(at) && at.x < 28; }
 bool inRight(glm::ivec3 at) { return inBody(at) && at.x >= 28; }
 
-TEST(Corrections, ADeepSeedOutsideAsksAnewWhereNoShapeParts) {
+/// Of a click in the left tissue that leaks into the right one, after a seed outside at `outside`.
+CorrectedRegion correctedByOneOutside(glm::ivec3 outside) {
   const auto volume = noisy(twoTissues, [](glm::ivec3 at) { return inLeft(at) ? 50.0 : inBody(at) ? 110.0 : 0.0; });
   const auto tissues = TissueTree::build(*volume);
   const Competition competition(*volume, *tissues, nullptr, {});
   const glm::ivec3 seed(17, 20, 20);
-  const FirstRegion first = leakOf(*volume, seed, inBody);
-  const CorrectedRegion region =
-      corrected(*volume, competition, first, std::vector{seed}, std::vector{glm::ivec3(60, 20, 20)});
+  return corrected(*volume, competition, leakOf(*volume, seed, inBody), std::vector{seed}, std::vector{outside});
+}
+
+TEST(Corrections, ADeepSeedOutsideAsksAnewWhereNoShapeParts) {
+  const CorrectedRegion region = correctedByOneOutside({60, 20, 20});
   EXPECT_GT(shareIn(region, twoTissues, inLeft), 0.95);
   EXPECT_LT(shareIn(region, twoTissues, inRight), 0.05);
 }
 
 TEST(Corrections, AShallowSeedOutsideLeavesTheRegionAsItIs) {
-  const auto volume = noisy(twoTissues, [](glm::ivec3 at) { return inLeft(at) ? 50.0 : inBody(at) ? 110.0 : 0.0; });
-  const auto tissues = TissueTree::build(*volume);
-  const Competition competition(*volume, *tissues, nullptr, {});
-  const glm::ivec3 seed(17, 20, 20);
-  const FirstRegion first = leakOf(*volume, seed, inBody);
-  const CorrectedRegion region =
-      corrected(*volume, competition, first, std::vector{seed}, std::vector{glm::ivec3(91, 20, 20)});
+  const CorrectedRegion region = correctedByOneOutside({91, 20, 20});
   EXPECT_GT(shareIn(region, twoTissues, inLeft), 0.99);
   EXPECT_GT(shareIn(region, twoTissues, inRight), 0.9);
 }

@@ -2,21 +2,14 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/support/Scenes.h"
+#include "tests/segmentation/MadeRegions.h"
 
 namespace fenestra::segmentation::regionBallsTest {
 namespace {
 
-constexpr int step = 5;
+using tests::regionOf;
 
-template <class IsIn>
-std::vector<Level> regionOf(const Grid& grid, IsIn isIn) {
-  std::vector<Level> joins(grid.voxelCount(), never);
-  tests::forEachVoxel(grid.dims, [&](glm::ivec3 at) {
-    if (isIn(at)) joins[grid.offset(at)] = 0;
-  });
-  return joins;
-}
+constexpr int step = 5;
 
 TEST(RegionBalls, MeasureInMillimetres) {
   const Grid grid = tests::gridOf({41, 41, 41}, {1.0, 1.0, 2.0});

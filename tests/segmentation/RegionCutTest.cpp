@@ -5,28 +5,19 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/support/Scenes.h"
+#include "tests/segmentation/MadeRegions.h"
 
 namespace fenestra::segmentation::regionCutTest {
 namespace {
 
 using tests::gridOf;
+using tests::regionOf;
 using tests::volumeOf;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr int step = 5;
 
 bool inBall(glm::ivec3 at, glm::dvec3 centre, double radius) { return glm::length(glm::dvec3(at) - centre) <= radius; }
-
-/// The levels of a region that joins at level 0.
-template <class IsIn>
-std::vector<Level> regionOf(const Grid& grid, IsIn isIn) {
-  std::vector<Level> joins(grid.voxelCount(), never);
-  tests::forEachVoxel(grid.dims, [&](glm::ivec3 at) {
-    if (isIn(at)) joins[grid.offset(at)] = 0;
-  });
-  return joins;
-}
 
 /// Shares of the voxels that `isWanted` which are taken, and of the others.
 struct Shares {
