@@ -232,8 +232,11 @@ void ScenePreparation::start(const Scene& scene, const View& view, const Kind& k
         const auto use = view.occlusion ? GpuScene::Use::Pictures : GpuScene::Use::WithoutOcclusion;
         if (hasPrograms && followsFocus(*gpuScene_, scene, use)) return;
         Renderer trial(gpuScene_);
-        trial.begin(scene, middleOf(view));
+        const View middle = middleOf(view);
+        trial.begin(scene, middle);
         while (!*isDone && !stop) *isDone = trial.advance(0.0);
+        // What puts a picture on screen has a program, too.
+        if (*isDone) trial.readPresented(middle.size);
       },
       [this, scene, kind, isDone](std::exception_ptr error) {
         schedule_ = gpuScene_->schedule();
