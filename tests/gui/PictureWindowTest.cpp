@@ -115,8 +115,13 @@ TEST_F(PictureWindow, ALargerPictureShowsTheSameWithMoreDetail) {
   EXPECT_LT(meanDifference(reduced, once), 1.5);
 }
 
-TEST_F(PictureWindow, APictureOf2000By1500IsTheWindowOnADenserScreen) {
-  constexpr double scale = 2.0;
+/// A picture of the window's views of 1000 × 750 pixels, so many times as large.
+class DensePicture : public PictureWindow {
+ protected:
+  void expectScaled(double scale);
+};
+
+void DensePicture::expectScaled(double scale) {
   window_->resize(window_->size() + QSize(1000, 750) - views().size());
   ASSERT_TRUE(QTest::qWaitFor([&] { return views().size() == QSize(1000, 750); }, patience));
   qApp->focusWidget()->clearFocus();
@@ -127,9 +132,9 @@ TEST_F(PictureWindow, APictureOf2000By1500IsTheWindowOnADenserScreen) {
   pictures().writePicture(folder_ / "large.png", request);
   waitUntilWritten();
   const QImage saved = load(folder_ / "large.png");
-  ASSERT_EQ(saved.size(), QSize(2000, 1500));
+  ASSERT_EQ(saved.size(), QSize(1000, 750) * scale);
   const auto placeOf = [&](const QWidget* view) { return QRect(view->mapTo(&views(), QPoint(0, 0)), view->size()); };
-  // A slice as a screen of twice the density shows it, text and lines included.
+  // A slice as a screen of that density shows it, text and lines included.
   for (SliceView* view : views().sliceViews()) {
     QImage dense(view->size() * scale, QImage::Format_RGB32);
     dense.setDevicePixelRatio(scale);
@@ -150,6 +155,10 @@ TEST_F(PictureWindow, APictureOf2000By1500IsTheWindowOnADenserScreen) {
     EXPECT_LT(meanDifference(reduced, view->grabSurface()), 1.5) << view->objectName().toStdString();
   }
 }
+
+TEST_F(DensePicture, APictureOf2000By1500IsTheWindowOnADenserScreen) { expectScaled(2.0); }
+
+TEST_F(DensePicture, APictureOf4000By3000IsTheWindowToo) { expectScaled(4.0); }
 
 TEST_F(PictureWindow, WithoutMarksOnlyThePictureIsSaved) {
   const fs::path with = folder_ / "with.png", without = folder_ / "without.png";
