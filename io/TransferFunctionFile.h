@@ -6,12 +6,12 @@
 // Nodes are in ascending order of value; two of the same value make a step. colour is display RGB 0..1, opacity that of
 // 1 mm of material, or of the finest spacing of the voxels: a surface such as the skin is as thin as they are. With
 // "hounsfield", values are HU; where a CT is in other units, the nodes follow the units that its values seem to have
-// (stored ones with 1024 added, or those of rendering/segmentation/HounsfieldGuess.h), and in a volume that is spread
-// as no CT they stand as written. With "uptake", values are standardised uptake values; where the volume is in another
-// unit than g/ml, multiples of the mean of its tissue, which is 1 in a whole body by that value's definition. With
-// "percentile", values are 0..100 and are mapped through the volume's own value distribution, because MR values have no
-// unit. The distribution is that of the tissue: background (air and its noise) is left out, by the threshold that
-// separates the volume's two main classes best (Otsu's), so that percentile 0 is where tissue begins.
+// (rendering/segmentation/HounsfieldScale.h), and in a volume that is spread as no CT they stand as written. With
+// "uptake", values are standardised uptake values; where the volume is in another unit than g/ml, multiples of the mean
+// of its tissue, which is 1 in a whole body by that value's definition. With "percentile", values are 0..100 and are
+// mapped through the volume's own value distribution, because MR values have no unit. The distribution is that of the
+// tissue: background (air and its noise) is left out, by the threshold that separates the volume's two main classes
+// best (Otsu's), so that percentile 0 is where tissue begins.
 
 #include <filesystem>
 #include <string>
@@ -35,6 +35,8 @@ ContextFunction loadContextFunction(const std::string& presetOrPath, const Volum
 /// ultrasound "ultrasound"; all else, of which only the distribution of the values says more, "mr-angio" where a few of
 /// the tissue's voxels are far brighter than the rest, "mr-t2" where many are (fluid), and else "mr-t1".
 std::string defaultPreset(const Volume& volume);
+/// What defaultPreset() names, made for `volume`. The values are looked at once for both.
+ContextFunction startingContext(const Volume& volume);
 /// The preset of the plain and the bare look: "ct-plain" for CT in HU, "mr" for all else.
 std::string plainPreset(const Volume& volume);
 

@@ -66,18 +66,18 @@ void openFiles(const DataRequest& request, Study& study, const Progress& progres
   study.session.labels = sessionLabels(request.labels, request.labelTable);
 }
 
+ContextFunction contextOf(const StudyRequest& request, const Volume& volume) {
+  if (!request.transferFunction.empty()) return loadContextFunction(request.transferFunction, volume);
+  return request.startsPlain ? loadContextFunction(plainPreset(volume), volume) : startingContext(volume);
+}
+
 void setContext(const StudyRequest& request, Study& study) {
   SetScene& scene = study.scene;
   const bool hasFunction = (study.restoresSession && !request.startsContextAnew) || request.preset;
   if (request.preset && request.transferFunction.empty())
     if (const std::string odd = mismatchOf(*request.preset, scene.volume->unit); !odd.empty())
       study.warnings.push_back({Warning::Kind::Other, odd, {}});
-  if (!hasFunction || !request.transferFunction.empty())
-    scene.look.context =
-        loadContextFunction(request.transferFunction.empty()
-                                ? (request.startsPlain ? plainPreset(*scene.volume) : defaultPreset(*scene.volume))
-                                : request.transferFunction,
-                            *scene.volume);
+  if (!hasFunction || !request.transferFunction.empty()) scene.look.context = contextOf(request, *scene.volume);
   if (!scene.look.hideTable) return;
   scene.table = segmentation::tableOf(*scene.volume);
   if (scene.table->count > 0) study.warnings.push_back(tableWarning());

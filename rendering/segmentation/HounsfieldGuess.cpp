@@ -103,14 +103,14 @@ std::optional<HounsfieldGuess> hounsfieldGuess(const Volume& volume) {
       isFat = true;
     }
   }
-  const auto realAt = [&](double hounsfield) { return (hounsfield - guess.offset) / guess.factor; };
-  const double body = values.between(realAt(bodyAbove), realAt(boneBelow));
-  const double nearAir = values.between(values.low, realAt(airValue + 150.0));
+  const double body = values.between(guess.realAt(bodyAbove), guess.realAt(boneBelow));
+  const double nearAir = values.between(values.low, guess.realAt(airValue + 150.0));
   if (body <= 0.0 || nearAir < leastAir * values.total) return std::nullopt;
-  guess.soft = values.between(realAt((isFat ? fatPeak : softPeak) - softHalf), realAt(softPeak + softHalf)) / body;
+  guess.soft =
+      values.between(guess.realAt((isFat ? fatPeak : softPeak) - softHalf), guess.realAt(softPeak + softHalf)) / body;
   // A mean over as many values as the peak's.
-  guess.valley = values.between(realAt(-500.0 - softHalf), realAt(-500.0 + softHalf)) / (guess.soft * body);
-  guess.bone = values.between(realAt(boneAbove), realAt(boneBelow)) / body;
+  guess.valley = values.between(guess.realAt(-500.0 - softHalf), guess.realAt(-500.0 + softHalf)) / (guess.soft * body);
+  guess.bone = values.between(guess.realAt(boneAbove), guess.realAt(boneBelow)) / body;
   const Limits limits = isCt ? ofCt : ofUnknown;
   const bool isSpreadAsInCt =
       guess.soft >= limits.soft && guess.valley <= limits.valley && guess.bone >= leastBone && guess.bone <= mostBone;

@@ -4,16 +4,16 @@
 #include <memory>
 #include <optional>
 
+#include "rendering/segmentation/HounsfieldScale.h"
 #include "rendering/segmentation/VoxelBox.h"
 #include "rendering/volume/Volume.h"
 
 namespace fenestra::segmentation {
 
-/// HU = factor · real value + offset. The measures say how much the values are spread as a CT's are.
-struct HounsfieldGuess {
-  double factor = 1.0, offset = 0.0;
-  double soft = 0.0;  ///< of the body's voxels, those within 60 HU of the peak of soft tissue, or between it and that
-                      ///< of fat where this is higher
+/// The measures say how much the values are spread as a CT's are.
+struct HounsfieldGuess : HounsfieldScale {
+  double soft = 0.0;    ///< of the body's voxels, those within 60 HU of the peak of soft tissue, or between it and that
+                        ///< of fat where this is higher
   double valley = 0.0;  ///< how many voxels have values half-way between air and soft tissue, of those at the peak
   double bone = 0.0;    ///< of the body's voxels, those of bone
 };
