@@ -15,6 +15,25 @@ bool FocusIndex::holds(glm::ivec3 cell) const {
                               : (cells[place / 32] >> place % 32 & 1u) != 0;
 }
 
+bool FocusIndex::holdsAny(const IndexBox& cellBox) const {
+  const glm::ivec3 firstBrick = cellBox.low / brickSide, lastBrick = cellBox.high / brickSide;
+  glm::ivec3 brick, cell;
+  for (brick.z = firstBrick.z; brick.z <= lastBrick.z; ++brick.z)
+    for (brick.y = firstBrick.y; brick.y <= lastBrick.y; ++brick.y)
+      for (brick.x = firstBrick.x; brick.x <= lastBrick.x; ++brick.x) {
+        const std::uint32_t slot = slots[brickOffset(bricks, brick)];
+        if (slot == 0) continue;
+        if (slot == 1) return true;
+        const glm::ivec3 low = glm::max(cellBox.low, brick * brickSide);
+        const glm::ivec3 high = glm::min(cellBox.high, brick * brickSide + (brickSide - 1));
+        for (cell.z = low.z; cell.z <= high.z; ++cell.z)
+          for (cell.y = low.y; cell.y <= high.y; ++cell.y)
+            for (cell.x = low.x; cell.x <= high.x; ++cell.x)
+              if (holds(cell)) return true;
+      }
+  return false;
+}
+
 std::vector<std::uint8_t> FocusIndex::occupied() const {
   std::vector<std::uint8_t> occupied(slots.size());
   std::transform(slots.begin(), slots.end(), occupied.begin(),

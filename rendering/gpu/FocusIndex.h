@@ -32,6 +32,8 @@ struct FocusIndex {
 
   /// Whether a cell (cell frame) may hold some of the focus.
   bool holds(glm::ivec3 cell) const;
+  /// Whether any cell in a box may.
+  bool holdsAny(const IndexBox& cellBox) const;
   /// By brick: 1 where some of the focus lies in it, else 0.
   std::vector<std::uint8_t> occupied() const;
   /// With `smoothed`, in place of `cells` on the device: smoothedWordsPerBrick words a slot, each the indicator at two
