@@ -116,14 +116,14 @@ ValueRange rangeOf(const OctantRanges& octants, std::size_t octant, const ValueR
   return {valueAtStep(brick, octants.low[octant]), valueAtStep(brick, octants.high[octant])};
 }
 
-BrickRanges brickRanges(const ShownVolume& shown) {
+BrickRanges brickRanges(const ShownVolume& shown, WithOctants octants) {
   const Volume& volume = *shown.volume;
   const ShownVoxels voxels(shown);
   const glm::ivec3 dims = volume.grid.dims;
   BrickRanges result;
   result.dims = brickCount(dims);
   result.ranges.resize(brickOffset(result.dims, {0, 0, result.dims.z}));
-  result.octants.resize(result.ranges.size());
+  if (octants == WithOctants::Yes) result.octants.resize(result.ranges.size());
   const double low = (volume.range.low - volume.intercept) / volume.slope;
   const double high = (volume.range.high - volume.intercept) / volume.slope;
   volume.voxels.visit([&](auto scalars) {
@@ -156,7 +156,7 @@ BrickRanges brickRanges(const ShownVolume& shown) {
             for (int i = 0; i < 8; ++i) whole.take(octantAt(i).low, octantAt(i).high);
             const std::size_t brick = brickOffset(result.dims, {bx, by, bz});
             result.ranges[brick] = realOf(whole);
-            if (!(result.ranges[brick].high > result.ranges[brick].low)) continue;
+            if (result.octants.empty() || !(result.ranges[brick].high > result.ranges[brick].low)) continue;
             for (int i = 0; i < 8; ++i)
               if (octantAt(i).any())
                 setOctant(result.octants[brick], static_cast<std::size_t>(i), realOf(octantAt(i)),

@@ -48,7 +48,8 @@ struct BrickRanges {
   std::vector<ValueRange> ranges;     ///< x fastest
   std::vector<OctantRanges> octants;  ///< of those bricks; empty where they are not known
 };
-BrickRanges brickRanges(const ShownVolume& shown);
+enum class WithOctants : bool { No, Yes };
+BrickRanges brickRanges(const ShownVolume& shown, WithOctants octants = WithOctants::Yes);
 
 /// In which octants of a brick something shows: bit i for octant i.
 using OctantMask = std::uint8_t;

@@ -197,7 +197,8 @@ void GpuScene::updateLight(const Scene& scene, Use use, const GpuFocus::Change& 
   if (!isLit) normalCoefficients_ = {};
   if (isLit && mayMake(static_cast<bool>(gradient_.texture))) updateGradient(focus, occupancyChanged);
   focus_.updateSmooth(isLit && mayMake(static_cast<bool>(focus_.smooth())));
-  if ((use == Use::Pictures || !hasOcclusion(scene.look)) && occluders_.update(scene, occludersKey(scene)))
+  if ((use == Use::Pictures || !hasOcclusion(scene.look)) &&
+      occluders_.update(scene, focus_.index(), occludersKey(scene)))
     ++versions_.occluders;
   if (mayMake(focalDistances_.any())) focalDistances_.update(scene, {versions_.volume, versions_.focus});
 }
@@ -209,10 +210,9 @@ void GpuScene::updateVolume(ShownVolume shown) {
     const ShownVolume samples{refinedVolume(*shown.volume, *spline_, refinement_)};
     volumeTexture_ = makeVolumeTexture(samples);
     coefficients_ = makeCoefficients(*spline_, volumeTexture_);
-    bricks_ = brickRanges(samples);
+    bricks_ = brickRanges(samples, WithOctants::No);  // those would have to be widened, too
     widen(bricks_, *samples.volume);
-    voxelBricks_ = brickRanges(shown);
-    voxelBricks_.octants = std::vector<OctantRanges>();  // rays leap by those of the drawn grid
+    voxelBricks_ = brickRanges(shown, WithOctants::No);  // rays leap by those of the drawn grid
   } else {
     together([&] { volumeTexture_ = makeVolumeTexture(shown); }, [&] { bricks_ = brickRanges(shown); });
     voxelBricks_ = {};

@@ -6,6 +6,7 @@
 #include <tuple>
 
 #include "rendering/gl/Buffer.h"
+#include "rendering/gpu/FocusIndex.h"
 #include "rendering/scene/Occlusion.h"
 
 namespace fenestra {
@@ -16,8 +17,8 @@ class Occluders {
   using Key = std::tuple<std::uint64_t, std::uint64_t, std::uint64_t, std::uint64_t, std::uint64_t, std::uint64_t,
                          std::uint64_t, double>;
   /// Makes the cells of a scene whose light needs them, and drops them where it does not. Returns whether that changed
-  /// anything.
-  bool update(const Scene& scene, const Key& key);
+  /// anything. `focus` is the scene's.
+  bool update(const Scene& scene, const FocusIndex& focus, const Key& key);
   void release() { *this = {}; }
 
   bool any() const { return static_cast<bool>(buffer_); }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -200,7 +201,7 @@ gl::Texture makeCoefficients(const SplineVolume& spline, const VolumeCoding& cod
 }
 
 void widen(BrickRanges& bricks, const Volume& samples) {
-  bricks.octants = std::vector<OctantRanges>();  // gives their memory back; they would have to be widened, too
+  assert(bricks.octants.empty());
   const Grid& grid = samples.grid;
   samples.voxels.visit([&](auto scalars) {
     parallelFor(static_cast<std::size_t>(bricks.dims.z), 1, [&](std::size_t begin, std::size_t end) {

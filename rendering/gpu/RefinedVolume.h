@@ -38,9 +38,9 @@ std::size_t refinedBytes(const Volume& volume, int factor, bool lit);
 /// four along x, its own first: a cell's 64 are 16 texels.
 gl::Texture makeCoefficients(const SplineVolume& spline, const VolumeCoding& coding);
 
-/// Widens the ranges of a refined volume's samples by brick, so that the spline itself lies between them: between
-/// samples it differs from its trilinear interpolant by an eighth of the second differences along each axis, and the
-/// samples from it by a twelfth. Taken twice, because the differences change from sample to sample.
+/// Widens the ranges of a refined volume's samples by brick, which have no octants, so that the spline itself lies
+/// between them: between samples it differs from its trilinear interpolant by an eighth of the second differences along
+/// each axis, and the samples from it by a twelfth. Taken twice, because the differences change from sample to sample.
 void widen(BrickRanges& bricks, const Volume& samples);
 
 /// The light's normals of a spline of `volume` at its voxels (rendering/scene/Lighting.h).

@@ -1,7 +1,7 @@
 #include "rendering/scene/FocusCells.h"
 
 #include <algorithm>
-#include <cmath>
+#include <type_traits>
 
 #include "rendering/volume/Threads.h"
 
@@ -11,26 +11,32 @@ namespace {
 constexpr std::uint8_t inactive = 0, kept = 1, unvisited = 2, dropped = 3;
 
 /// What a cell asks of its corners.
-enum Corner : std::uint8_t { notAbove = 1, notBelow = 2, isNumber = 4, isGone = 8 };
+enum Corner : std::uint8_t { notAbove = 1, notBelow = 2, isGone = 4 };
 
 /// Corner flags of each voxel.
 std::vector<std::uint8_t> cornersOf(const ShownVolume& shown, ValueRange range) {
-  const Grid& grid = shown.volume->grid;
+  const Volume& volume = *shown.volume;
+  const Grid& grid = volume.grid;
   std::vector<std::uint8_t> corners(grid.voxelCount());
   const ShownVoxels voxels(shown);
   const bool avoidsGone = shown.removed && voxels.air() >= range.low && voxels.air() <= range.high;
-  withValues(shown, [&](auto valueAt) {
+  volume.voxels.visit([&](auto scalars) {
+    using Stored = std::remove_const_t<typename decltype(scalars)::element_type>;
     parallelFor(static_cast<std::size_t>(grid.dims.z), 1, [&](std::size_t begin, std::size_t end) {
+      std::vector<Stored> buffer;
       for (int z = static_cast<int>(begin); z < static_cast<int>(end); ++z)
         for (int y = 0; y < grid.dims.y; ++y) {
+          const Stored* stored = voxels.row(y, z, buffer);
           std::uint8_t* row = corners.data() + grid.offset({0, y, z});
           for (int x = 0; x < grid.dims.x; ++x) {
-            const glm::ivec3 voxel(x, y, z);
-            const double value = valueAt(voxel);
-            row[x] = static_cast<std::uint8_t>(
-                (value <= range.high ? notAbove : 0) | (value >= range.low ? notBelow : 0) |
-                (std::isnan(value) ? 0 : isNumber) | (avoidsGone && voxels.isGone(voxel) ? isGone : 0));
+            const double value = realValue(volume, stored[x]);
+            row[x] = static_cast<std::uint8_t>(static_cast<int>(value <= range.high) * notAbove |
+                                               static_cast<int>(value >= range.low) * notBelow);
           }
+          if (avoidsGone)
+            shown.removed->forEachIn(y, z, [&](int x, std::uint8_t coverage) {
+              if (RemovedVoxels::isGone(coverage)) row[x] |= isGone;
+            });
         }
     });
   });
@@ -44,18 +50,20 @@ std::vector<std::uint8_t> activeCells(const ShownVolume& shown, ValueRange range
   std::vector<std::uint8_t> state(cells.voxelCount(), inactive);
   constexpr int wanted = notAbove | notBelow;
   parallelFor(static_cast<std::size_t>(cells.dims.z), 1, [&](std::size_t begin, std::size_t end) {
+    std::vector<std::uint8_t> columns(static_cast<std::size_t>(grid.dims.x));  // flags of four corners side by side
     for (int z = static_cast<int>(begin); z < static_cast<int>(end); ++z)
       for (int y = 0; y < cells.dims.y; ++y) {
         const int above = std::min(y + 1, last.y), behind = std::min(z + 1, last.z);
         const std::uint8_t* rows[4] = {
             corners.data() + grid.offset({0, y, z}), corners.data() + grid.offset({0, above, z}),
             corners.data() + grid.offset({0, y, behind}), corners.data() + grid.offset({0, above, behind})};
-        const auto across = [&](int x) { return rows[0][x] | rows[1][x] | rows[2][x] | rows[3][x]; };
+        for (std::size_t x = 0; x < columns.size(); ++x)
+          columns[x] = static_cast<std::uint8_t>(rows[0][x] | rows[1][x] | rows[2][x] | rows[3][x]);
         std::uint8_t* row = state.data() + cells.offset({0, y, z});
         for (int x = 0; x < cells.dims.x; ++x) {
-          const int any = across(x) | across(std::min(x + 1, last.x));
-          // A cell whose first corner is no number is none, as in hitPoints().
-          if ((any & (wanted | isGone)) == wanted && (rows[0][x] & isNumber)) row[x] = unvisited;
+          const int any =
+              columns[static_cast<std::size_t>(x)] | columns[static_cast<std::size_t>(std::min(x + 1, last.x))];
+          if ((any & (wanted | isGone)) == wanted) row[x] = unvisited;
         }
       }
   });

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "rendering/scene/Explosion.h"
 #include "rendering/scene/Fading.h"
@@ -117,10 +118,11 @@ constexpr std::size_t labelCount = std::size_t{1} << 16;
 /// What a scene's voxels absorb, as the cells' three extinctions.
 class Absorber {
  public:
-  explicit Absorber(const Scene& scene)
+  Absorber(const Scene& scene, KeepsCell keeps)
       : grid_(scene.volume->grid),
         structures_(structuresOf(scene).get()),
-        focusLabels_(std::holds_alternative<LabelFocus>(scene.look.focus) ? scene.labels.get() : nullptr) {
+        focusLabels_(std::holds_alternative<LabelFocus>(scene.look.focus) ? scene.labels.get() : nullptr),
+        keeps_(std::move(keeps)) {
     const FaintLabels faint = faintLabels(scene);
     for (const TransferFunction& function : contextFunctions(scene, faint)) context_.emplace_back(function);
     if (faint.any()) number_ = faint.numberOfLabel();
@@ -174,7 +176,9 @@ class Absorber {
       }
     } else if (const auto* values = std::get_if<ValueFocus>(&scene.look.focus)) {
       range_ = values->values;
-      cells_ = focusCells(shownVolume(scene), *values);
+      isOfValues_ = true;
+      if (!keeps_)
+        keeps_ = [cells = focusCells(shownVolume(scene), *values)](glm::ivec3 cell) { return cells.contains(cell); };
       materials_.push_back({static_cast<float>(scene.look.focusAppearance.extinction), none});
       if (const auto& function = focusFunction(scene)) {
         materials_.back().table = 0;
@@ -186,7 +190,7 @@ class Absorber {
   /// Whether some cell around a voxel is kept.
   bool inKeptCell(glm::ivec3 voxel) const {
     for (int i = 0; i < 8; ++i)
-      if (cells_->contains(voxel - glm::ivec3(i & 1, (i >> 1) & 1, i >> 2))) return true;
+      if (keeps_(voxel - glm::ivec3(i & 1, (i >> 1) & 1, i >> 2))) return true;
     return false;
   }
 
@@ -200,7 +204,7 @@ class Absorber {
   const Material* focusAt(std::size_t offset, glm::ivec3 voxel, double value) const {
     int material = none;
     if (!ofLabel_.empty()) material = ofLabel_[focusLabels_.at(offset)];
-    if (cells_ && value >= range_.low && value <= range_.high && inKeptCell(voxel)) material = 0;
+    if (isOfValues_ && value >= range_.low && value <= range_.high && inKeptCell(voxel)) material = 0;
     return material == none ? nullptr : &materials_[static_cast<std::size_t>(material)];
   }
   float extinctionOf(const Material& held, double value) const {
@@ -216,7 +220,8 @@ class Absorber {
   std::vector<int> ofLabel_;  ///< its material, by label in focus; empty unless labels are
   std::vector<Material> materials_;
   ValueRange range_;
-  std::optional<FocusCells> cells_;  ///< of a focus of values
+  bool isOfValues_ = false;  ///< the focus
+  KeepsCell keeps_;
 };
 
 /// The voxels of a cell along an axis that are looked at, from its first one.
@@ -240,7 +245,7 @@ double OccluderCells::sideLength(const Grid& grid) const {
   return std::cbrt(grid.voxelVolume() * side.x * side.y * side.z);
 }
 
-OccluderCells occluderCells(const Scene& scene) {
+OccluderCells occluderCells(const Scene& scene, KeepsCell keeps) {
   const Grid& grid = scene.volume->grid;
   OccluderCells cells;
   cells.side = occluderSide(grid);
@@ -248,7 +253,7 @@ OccluderCells occluderCells(const Scene& scene) {
   Grid lattice;
   lattice.dims = cells.dims;
   cells.extinction.resize(lattice.voxelCount());
-  const Absorber absorber(scene);
+  const Absorber absorber(scene, std::move(keeps));
   const std::vector<int> xs = samplesAlong(cells.side.x), ys = samplesAlong(cells.side.y),
                          zs = samplesAlong(cells.side.z);
   const float perSample = 1.0f / static_cast<float>(xs.size() * ys.size() * zs.size());

@@ -32,6 +32,7 @@
 // to 0.08 where it has 2.
 
 #include <array>
+#include <functional>
 #include <vector>
 
 #include "rendering/scene/Scene.h"
@@ -105,9 +106,12 @@ struct OccluderCells {
   /// Side of a cubic cell of the same volume, mm.
   double sideLength(const Grid& grid) const;
 };
+/// Whether FocusCells keep a cell of the volume, or the one nearest to it; called from all cores.
+using KeepsCell = std::function<bool(glm::ivec3 cell)>;
 /// Uses all cores. Four voxels at most along each axis of a cell, spread evenly, stand for all; a function of values is
-/// looked up in a table of 4096 steps from its first to its last node.
-OccluderCells occluderCells(const Scene& scene);
+/// looked up in a table of 4096 steps from its first to its last node. `keeps`: of a focus of values; empty where those
+/// cells are to be found, which takes a pass over the voxels.
+OccluderCells occluderCells(const Scene& scene, KeepsCell keeps = {});
 /// Voxels along each axis of a cell.
 glm::ivec3 occluderSide(const Grid& grid);
 

@@ -116,8 +116,16 @@ class ShownVoxels {
   std::vector<std::uint8_t> isHiddenLabel_;  ///< per label value; empty where none is hidden
 };
 
-/// Calls f(valueAt) with valueAt(index) the real value of a voxel as it is shown: NaN becomes the least value, ±Inf the
-/// ends of the range.
+/// The real value of a stored one: NaN becomes the volume's least value, ±Inf the ends of its range.
+template <class T>
+double realValue(const Volume& volume, T stored) {
+  const double value = volume.slope * static_cast<double>(stored) + volume.intercept;
+  if constexpr (std::is_integral_v<T>) return value;
+  if (std::isnan(value)) return volume.range.low;
+  return std::isinf(value) ? (value < 0.0 ? volume.range.low : volume.range.high) : value;
+}
+
+/// Calls f(valueAt) with valueAt(index) the real value of a voxel as it is shown.
 template <class F>
 decltype(auto) withValues(const ShownVolume& shown, F&& f) {
   const Volume& volume = *shown.volume;
@@ -126,9 +134,7 @@ decltype(auto) withValues(const ShownVolume& shown, F&& f) {
     return f([&volume, &voxels, scalars, whole = voxels.hidesNothing()](glm::ivec3 index) {
       auto stored = scalars[volume.grid.offset(index)];
       if (!whole) stored = voxels.shown(stored, index);
-      const double value = volume.slope * static_cast<double>(stored) + volume.intercept;
-      if (std::isnan(value)) return volume.range.low;
-      return std::isinf(value) ? (value < 0.0 ? volume.range.low : volume.range.high) : value;
+      return realValue(volume, stored);
     });
   });
 }
