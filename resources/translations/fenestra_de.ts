@@ -1096,6 +1096,221 @@
     </message>
 </context>
 <context>
+    <name>Reader</name>
+    <message>
+        <source>the scanner&apos;s table is left out of 3-D pictures; slices show it</source>
+        <translation>der Untersuchungstisch ist in 3-D-Bildern ausgelassen; die Schichten zeigen ihn</translation>
+    </message>
+    <message>
+        <source>the file names no modality; its values (%1 to %2) are taken for Hounsfield units of a CT</source>
+        <translation>die Datei nennt keine Modalität; ihre Werte (%1 bis %2) gelten als Hounsfield-Einheiten einer CT</translation>
+    </message>
+    <message>
+        <source>the file stores no orientation; its axes are taken as right, anterior, superior</source>
+        <translation>die Datei speichert keine Orientierung; ihre Achsen gelten als rechts, vorn, oben</translation>
+    </message>
+    <message>
+        <source>the file does not say where the slice lies in the patient</source>
+        <translation>die Datei sagt nicht, wo die Schicht im Patienten liegt</translation>
+    </message>
+    <message>
+        <source>the file does not say where its slices lie in the patient; their Slice Location gives their order and a distance of %1 mm, the place is a guess</source>
+        <translation>die Datei sagt nicht, wo ihre Schichten im Patienten liegen; ihre Slice Location gibt die Reihenfolge und einen Abstand von %1 mm, der Ort ist geraten</translation>
+    </message>
+    <message>
+        <source>the file does not say where its slices lie in the patient; they are shown in their stored order, at a distance that is a guess (%1 mm, %2)</source>
+        <translation>die Datei sagt nicht, wo ihre Schichten im Patienten liegen; sie werden in gespeicherter Reihenfolge gezeigt, in einem geratenen Abstand (%1 mm, %2)</translation>
+    </message>
+    <message>
+        <source>no pixel spacing is given; 1 mm is assumed</source>
+        <translation>kein Pixelabstand ist angegeben; 1 mm wird angenommen</translation>
+    </message>
+    <message>
+        <source>the pixel spacing is the detector&apos;s; distances in the patient are smaller</source>
+        <translation>der Pixelabstand ist der des Detektors; Abstände im Patienten sind kleiner</translation>
+    </message>
+    <message>
+        <source>its header has no ElementSpacing; 1 mm is assumed</source>
+        <translation>ihr Kopf hat kein ElementSpacing; 1 mm wird angenommen</translation>
+    </message>
+    <message>
+        <source>its header has no spacings; 1 mm is assumed</source>
+        <translation>ihr Kopf hat keine Voxelabstände; 1 mm wird angenommen</translation>
+    </message>
+    <message>
+        <source>the file holds %1 volumes (time points or layers); number %2 is shown</source>
+        <translation>die Datei enthält %1 Volumen (Zeitpunkte oder Lagen); Nummer %2 wird gezeigt</translation>
+    </message>
+    <message>
+        <source>all %1 frames lie at one position (time points or repeats, no deeper volume%2); each forms a volume of its own: number %3 is shown</source>
+        <translation>alle %1 Bilder liegen an einem Ort (Zeitpunkte oder Wiederholungen, kein tieferes Volumen%2); jedes bildet ein eigenes Volumen: Nummer %3 wird gezeigt</translation>
+    </message>
+    <message>
+        <source>%1 frames lie at each position (time points or repeats, no deeper volume%2); each forms a volume of its own: number %3 is shown</source>
+        <translation>an jedem Ort liegen %1 Bilder (Zeitpunkte oder Wiederholungen, kein tieferes Volumen%2); jedes bildet ein eigenes Volumen: Nummer %3 wird gezeigt</translation>
+    </message>
+    <message>
+        <source>; told apart by %1</source>
+        <translation>; unterschieden durch %1</translation>
+    </message>
+    <message>
+        <source>the slices are tilted by %1 degrees against the direction they are stacked in (%2 mm sideways from slice to slice)</source>
+        <translation>die Schichten sind um %1 Grad gegen ihre Stapelrichtung geneigt (%2 mm seitlich von Schicht zu Schicht)</translation>
+    </message>
+    <message>
+        <source>%1 missing: neighbours lie %2 mm apart, but up to %3 mm between the files named</source>
+        <translation>%1 fehlen: Nachbarn liegen %2 mm auseinander, zwischen den genannten Dateien aber bis zu %3 mm</translation>
+    </message>
+    <message>
+        <source>the slices lie between %1 mm and %2 mm apart</source>
+        <translation>die Schichten liegen zwischen %1 mm und %2 mm auseinander</translation>
+    </message>
+    <message>
+        <source>%1 shifted sideways by up to %2 mm from the line that the first and the last one lie on</source>
+        <translation>%1 seitlich um bis zu %2 mm gegen die Linie verschoben, auf der die erste und die letzte liegen</translation>
+    </message>
+    <message>
+        <source>%1 with other directions or pixel spacing than the first; shown with those of the first, pixels lie up to %2 mm from their places</source>
+        <translation>%1 mit anderen Richtungen oder anderem Pixelabstand als die erste; gezeigt wie die erste, liegen Pixel bis zu %2 mm neben ihrem Ort</translation>
+    </message>
+    <message>
+        <source>the volume is sheared, so that every slice lies where it was scanned</source>
+        <translation>das Volumen ist geschert, sodass jede Schicht liegt, wo sie aufgenommen wurde</translation>
+    </message>
+    <message>
+        <source>all slices are shown %1 mm apart, up to %2 mm from where they were scanned</source>
+        <translation>alle Schichten werden %1 mm auseinander gezeigt, bis zu %2 mm neben dem Ort der Aufnahme</translation>
+    </message>
+    <message>
+        <source>%1; %2 of the voxels lie outside of what was scanned and hold the least value, %3</source>
+        <translation>%1; %2 der Voxel liegen außerhalb des Aufgenommenen und haben den kleinsten Wert, %3</translation>
+    </message>
+    <message>
+        <source>%1; %2 in gaps wider than %3 mm is interpolated across the gap</source>
+        <translation>%1; %2 in einer Lücke von über %3 mm ist über die Lücke interpoliert</translation>
+    </message>
+    <message>
+        <source>%1; %2 in gaps wider than %3 mm are interpolated across the gap</source>
+        <translation>%1; %2 in Lücken von über %3 mm sind über die Lücke interpoliert</translation>
+    </message>
+    <message>
+        <source>%1 (evenly spread they would lie up to %2 mm from their places)</source>
+        <translation>%1 (gleichmäßig verteilt lägen sie bis zu %2 mm neben ihrem Ort)</translation>
+    </message>
+    <message>
+        <source>%1, with nothing displaced</source>
+        <translation>%1, wobei nichts verschoben ist</translation>
+    </message>
+    <message>
+        <source>%1, displaced by up to %2 mm</source>
+        <translation>%1, um bis zu %2 mm verschoben</translation>
+    </message>
+    <message>
+        <source>%1, sheared as they were scanned</source>
+        <translation>%1, geschert wie aufgenommen</translation>
+    </message>
+    <message>
+        <source>linear interpolation places the slices on %1 planes %2 mm apart</source>
+        <translation>lineare Interpolation legt die Schichten auf %1 Ebenen im Abstand von %2 mm</translation>
+    </message>
+    <message>
+        <source>cubic interpolation places the slices on %1 planes %2 mm apart</source>
+        <translation>kubische Interpolation legt die Schichten auf %1 Ebenen im Abstand von %2 mm</translation>
+    </message>
+    <message>
+        <source>%1 left out: the same images (SOP instances) as in other files</source>
+        <translation>%1 ausgelassen: dieselben Bilder (SOP-Instanzen) wie in anderen Dateien</translation>
+    </message>
+    <message>
+        <source>%1 of the folder left out: not DICOM</source>
+        <translation>%1 des Ordners ausgelassen: kein DICOM</translation>
+    </message>
+    <message>
+        <source>%1 left out, unreadable (the first: %2)</source>
+        <translation>%1 ausgelassen, unlesbar (die erste: %2)</translation>
+    </message>
+    <message>
+        <source>%1 listed in the DICOMDIR missing</source>
+        <translation>%1 aus dem DICOMDIR fehlen</translation>
+    </message>
+    <message>
+        <source>%1 left out, at positions that other slices have already</source>
+        <translation>%1 ausgelassen, an Orten, die andere Schichten schon haben</translation>
+    </message>
+    <message>
+        <source>%1 of the series put into volumes of their own: %2</source>
+        <translation>%1 der Serie in eigene Volumen gelegt: %2</translation>
+    </message>
+    <message>
+        <source>another size or pixel spacing</source>
+        <translation>andere Größe oder anderer Pixelabstand</translation>
+    </message>
+    <message>
+        <source>another orientation</source>
+        <translation>andere Orientierung</translation>
+    </message>
+    <message>
+        <source>another frame of reference, frame type or stack</source>
+        <translation>anderes Bezugssystem, anderer Bildtyp oder Stapel</translation>
+    </message>
+    <message>
+        <source>%1 slices have a Series UID each; they agree in study and kind and lie evenly, and are taken for one series</source>
+        <translation>%1 Schichten haben je eine eigene Serien-UID; sie stimmen in Studie und Art überein und liegen gleichmäßig, daher gelten sie als eine Serie</translation>
+    </message>
+    <message>
+        <source>%1 left out: %2</source>
+        <translation>%1 ausgelassen: %2</translation>
+    </message>
+    <message>
+        <source>the focus has no voxels in this volume</source>
+        <translation>der Fokus hat in diesem Volumen keine Voxel</translation>
+    </message>
+    <message>
+        <source>the volume %1 is not what it was when the session was saved</source>
+        <translation>das Volumen %1 ist nicht mehr, was es beim Speichern der Sitzung war</translation>
+    </message>
+    <message>
+        <source>the label map %1 is not what it was when the session was saved</source>
+        <translation>die Labelkarte %1 ist nicht mehr, was sie beim Speichern der Sitzung war</translation>
+    </message>
+    <message>
+        <source>the volume was found at %1, no longer at %2</source>
+        <translation>das Volumen wurde in %1 gefunden, nicht mehr in %2</translation>
+    </message>
+    <message>
+        <source>the label map was found at %1, no longer at %2</source>
+        <translation>die Labelkarte wurde in %1 gefunden, nicht mehr in %2</translation>
+    </message>
+    <message>
+        <source>%1 (in %2 of %3 slices)</source>
+        <translation>%1 (in %2 von %3 Schichten)</translation>
+    </message>
+    <message>
+        <source>%1 file</source>
+        <translation>%1 Datei</translation>
+    </message>
+    <message>
+        <source>%1 files</source>
+        <translation>%1 Dateien</translation>
+    </message>
+    <message>
+        <source>%1 slice</source>
+        <translation>%1 Schicht</translation>
+    </message>
+    <message>
+        <source>%1 slices</source>
+        <translation>%1 Schichten</translation>
+    </message>
+    <message>
+        <source>%1 plane</source>
+        <translation>%1 Ebene</translation>
+    </message>
+    <message>
+        <source>%1 planes</source>
+        <translation>%1 Ebenen</translation>
+    </message>
+</context>
+<context>
     <name>Region</name>
     <message>
         <source>Its border is clear: values change by %1 there.</source>

@@ -1096,6 +1096,221 @@
     </message>
 </context>
 <context>
+    <name>Reader</name>
+    <message>
+        <source>the scanner&apos;s table is left out of 3-D pictures; slices show it</source>
+        <translation>la mesa del escáner se omite en las imágenes 3-D; los cortes la muestran</translation>
+    </message>
+    <message>
+        <source>the file names no modality; its values (%1 to %2) are taken for Hounsfield units of a CT</source>
+        <translation>el archivo no indica modalidad; sus valores (%1 a %2) se toman por unidades Hounsfield de una TC</translation>
+    </message>
+    <message>
+        <source>the file stores no orientation; its axes are taken as right, anterior, superior</source>
+        <translation>el archivo no guarda orientación; sus ejes se toman como derecha, anterior, superior</translation>
+    </message>
+    <message>
+        <source>the file does not say where the slice lies in the patient</source>
+        <translation>el archivo no dice dónde está el corte en el paciente</translation>
+    </message>
+    <message>
+        <source>the file does not say where its slices lie in the patient; their Slice Location gives their order and a distance of %1 mm, the place is a guess</source>
+        <translation>el archivo no dice dónde están sus cortes en el paciente; su Slice Location da el orden y una distancia de %1 mm, el lugar es una suposición</translation>
+    </message>
+    <message>
+        <source>the file does not say where its slices lie in the patient; they are shown in their stored order, at a distance that is a guess (%1 mm, %2)</source>
+        <translation>el archivo no dice dónde están sus cortes en el paciente; se muestran en el orden guardado, a una distancia supuesta (%1 mm, %2)</translation>
+    </message>
+    <message>
+        <source>no pixel spacing is given; 1 mm is assumed</source>
+        <translation>no se indica el tamaño de píxel; se supone 1 mm</translation>
+    </message>
+    <message>
+        <source>the pixel spacing is the detector&apos;s; distances in the patient are smaller</source>
+        <translation>el tamaño de píxel es el del detector; las distancias en el paciente son menores</translation>
+    </message>
+    <message>
+        <source>its header has no ElementSpacing; 1 mm is assumed</source>
+        <translation>su cabecera no tiene ElementSpacing; se supone 1 mm</translation>
+    </message>
+    <message>
+        <source>its header has no spacings; 1 mm is assumed</source>
+        <translation>su cabecera no tiene distancias de vóxel; se supone 1 mm</translation>
+    </message>
+    <message>
+        <source>the file holds %1 volumes (time points or layers); number %2 is shown</source>
+        <translation>el archivo contiene %1 volúmenes (instantes o capas); se muestra el número %2</translation>
+    </message>
+    <message>
+        <source>all %1 frames lie at one position (time points or repeats, no deeper volume%2); each forms a volume of its own: number %3 is shown</source>
+        <translation>las %1 imágenes están en una misma posición (instantes o repeticiones, no un volumen más profundo%2); cada una forma un volumen propio: se muestra el número %3</translation>
+    </message>
+    <message>
+        <source>%1 frames lie at each position (time points or repeats, no deeper volume%2); each forms a volume of its own: number %3 is shown</source>
+        <translation>en cada posición hay %1 imágenes (instantes o repeticiones, no un volumen más profundo%2); cada una forma un volumen propio: se muestra el número %3</translation>
+    </message>
+    <message>
+        <source>; told apart by %1</source>
+        <translation>; distinguidas por %1</translation>
+    </message>
+    <message>
+        <source>the slices are tilted by %1 degrees against the direction they are stacked in (%2 mm sideways from slice to slice)</source>
+        <translation>los cortes están inclinados %1 grados respecto a la dirección en que se apilan (%2 mm de lado de corte a corte)</translation>
+    </message>
+    <message>
+        <source>%1 missing: neighbours lie %2 mm apart, but up to %3 mm between the files named</source>
+        <translation>falta o faltan %1: los vecinos están a %2 mm, pero hasta a %3 mm entre los archivos nombrados</translation>
+    </message>
+    <message>
+        <source>the slices lie between %1 mm and %2 mm apart</source>
+        <translation>los cortes están separados entre %1 mm y %2 mm</translation>
+    </message>
+    <message>
+        <source>%1 shifted sideways by up to %2 mm from the line that the first and the last one lie on</source>
+        <translation>%1 desplazados de lado hasta %2 mm respecto a la línea del primero y el último</translation>
+    </message>
+    <message>
+        <source>%1 with other directions or pixel spacing than the first; shown with those of the first, pixels lie up to %2 mm from their places</source>
+        <translation>%1 con otras direcciones o tamaño de píxel que el primero; mostrados como el primero, hay píxeles hasta a %2 mm de su lugar</translation>
+    </message>
+    <message>
+        <source>the volume is sheared, so that every slice lies where it was scanned</source>
+        <translation>el volumen está inclinado de modo que cada corte está donde se adquirió</translation>
+    </message>
+    <message>
+        <source>all slices are shown %1 mm apart, up to %2 mm from where they were scanned</source>
+        <translation>todos los cortes se muestran a %1 mm, hasta a %2 mm de donde se adquirieron</translation>
+    </message>
+    <message>
+        <source>%1; %2 of the voxels lie outside of what was scanned and hold the least value, %3</source>
+        <translation>%1; el %2 de los vóxeles está fuera de lo adquirido y tiene el valor mínimo, %3</translation>
+    </message>
+    <message>
+        <source>%1; %2 in gaps wider than %3 mm is interpolated across the gap</source>
+        <translation>%1; %2 en un hueco de más de %3 mm se interpola a través del hueco</translation>
+    </message>
+    <message>
+        <source>%1; %2 in gaps wider than %3 mm are interpolated across the gap</source>
+        <translation>%1; %2 en huecos de más de %3 mm se interpolan a través del hueco</translation>
+    </message>
+    <message>
+        <source>%1 (evenly spread they would lie up to %2 mm from their places)</source>
+        <translation>%1 (repartidos por igual estarían hasta a %2 mm de su lugar)</translation>
+    </message>
+    <message>
+        <source>%1, with nothing displaced</source>
+        <translation>%1, sin desplazar nada</translation>
+    </message>
+    <message>
+        <source>%1, displaced by up to %2 mm</source>
+        <translation>%1, con un desplazamiento de hasta %2 mm</translation>
+    </message>
+    <message>
+        <source>%1, sheared as they were scanned</source>
+        <translation>%1, inclinados como se adquirieron</translation>
+    </message>
+    <message>
+        <source>linear interpolation places the slices on %1 planes %2 mm apart</source>
+        <translation>la interpolación lineal coloca los cortes en %1 planos a %2 mm</translation>
+    </message>
+    <message>
+        <source>cubic interpolation places the slices on %1 planes %2 mm apart</source>
+        <translation>la interpolación cúbica coloca los cortes en %1 planos a %2 mm</translation>
+    </message>
+    <message>
+        <source>%1 left out: the same images (SOP instances) as in other files</source>
+        <translation>se omiten %1: las mismas imágenes (instancias SOP) que en otros archivos</translation>
+    </message>
+    <message>
+        <source>%1 of the folder left out: not DICOM</source>
+        <translation>se omiten %1 de la carpeta: no son DICOM</translation>
+    </message>
+    <message>
+        <source>%1 left out, unreadable (the first: %2)</source>
+        <translation>se omiten %1, ilegibles (el primero: %2)</translation>
+    </message>
+    <message>
+        <source>%1 listed in the DICOMDIR missing</source>
+        <translation>faltan %1 del DICOMDIR</translation>
+    </message>
+    <message>
+        <source>%1 left out, at positions that other slices have already</source>
+        <translation>se omiten %1, en posiciones que ya tienen otros cortes</translation>
+    </message>
+    <message>
+        <source>%1 of the series put into volumes of their own: %2</source>
+        <translation>%1 de la serie puestos en volúmenes propios: %2</translation>
+    </message>
+    <message>
+        <source>another size or pixel spacing</source>
+        <translation>otro tamaño o tamaño de píxel</translation>
+    </message>
+    <message>
+        <source>another orientation</source>
+        <translation>otra orientación</translation>
+    </message>
+    <message>
+        <source>another frame of reference, frame type or stack</source>
+        <translation>otro sistema de referencia, tipo de imagen o pila</translation>
+    </message>
+    <message>
+        <source>%1 slices have a Series UID each; they agree in study and kind and lie evenly, and are taken for one series</source>
+        <translation>%1 cortes tienen cada uno un UID de serie; coinciden en estudio y tipo y están repartidos por igual, y se toman por una serie</translation>
+    </message>
+    <message>
+        <source>%1 left out: %2</source>
+        <translation>se omiten %1: %2</translation>
+    </message>
+    <message>
+        <source>the focus has no voxels in this volume</source>
+        <translation>el foco no tiene vóxeles en este volumen</translation>
+    </message>
+    <message>
+        <source>the volume %1 is not what it was when the session was saved</source>
+        <translation>el volumen %1 no es el que era al guardar la sesión</translation>
+    </message>
+    <message>
+        <source>the label map %1 is not what it was when the session was saved</source>
+        <translation>el mapa de etiquetas %1 no es el que era al guardar la sesión</translation>
+    </message>
+    <message>
+        <source>the volume was found at %1, no longer at %2</source>
+        <translation>el volumen se encontró en %1, ya no en %2</translation>
+    </message>
+    <message>
+        <source>the label map was found at %1, no longer at %2</source>
+        <translation>el mapa de etiquetas se encontró en %1, ya no en %2</translation>
+    </message>
+    <message>
+        <source>%1 (in %2 of %3 slices)</source>
+        <translation>%1 (en %2 de %3 cortes)</translation>
+    </message>
+    <message>
+        <source>%1 file</source>
+        <translation>%1 archivo</translation>
+    </message>
+    <message>
+        <source>%1 files</source>
+        <translation>%1 archivos</translation>
+    </message>
+    <message>
+        <source>%1 slice</source>
+        <translation>%1 corte</translation>
+    </message>
+    <message>
+        <source>%1 slices</source>
+        <translation>%1 cortes</translation>
+    </message>
+    <message>
+        <source>%1 plane</source>
+        <translation>%1 plano</translation>
+    </message>
+    <message>
+        <source>%1 planes</source>
+        <translation>%1 planos</translation>
+    </message>
+</context>
+<context>
     <name>Region</name>
     <message>
         <source>Its border is clear: values change by %1 there.</source>

@@ -1096,6 +1096,221 @@
     </message>
 </context>
 <context>
+    <name>Reader</name>
+    <message>
+        <source>the scanner&apos;s table is left out of 3-D pictures; slices show it</source>
+        <translation>la table du scanner est omise des images 3-D ; les coupes la montrent</translation>
+    </message>
+    <message>
+        <source>the file names no modality; its values (%1 to %2) are taken for Hounsfield units of a CT</source>
+        <translation>le fichier n&apos;indique pas de modalité ; ses valeurs (%1 à %2) sont prises pour des unités Hounsfield d&apos;un scanner CT</translation>
+    </message>
+    <message>
+        <source>the file stores no orientation; its axes are taken as right, anterior, superior</source>
+        <translation>le fichier ne contient pas d&apos;orientation ; ses axes sont pris pour droite, avant, haut</translation>
+    </message>
+    <message>
+        <source>the file does not say where the slice lies in the patient</source>
+        <translation>le fichier ne dit pas où la coupe se trouve dans le patient</translation>
+    </message>
+    <message>
+        <source>the file does not say where its slices lie in the patient; their Slice Location gives their order and a distance of %1 mm, the place is a guess</source>
+        <translation>le fichier ne dit pas où ses coupes se trouvent dans le patient ; leur Slice Location donne l&apos;ordre et une distance de %1 mm, le lieu est supposé</translation>
+    </message>
+    <message>
+        <source>the file does not say where its slices lie in the patient; they are shown in their stored order, at a distance that is a guess (%1 mm, %2)</source>
+        <translation>le fichier ne dit pas où ses coupes se trouvent dans le patient ; elles sont montrées dans l&apos;ordre enregistré, à une distance supposée (%1 mm, %2)</translation>
+    </message>
+    <message>
+        <source>no pixel spacing is given; 1 mm is assumed</source>
+        <translation>aucun espacement des pixels n&apos;est donné ; 1 mm est supposé</translation>
+    </message>
+    <message>
+        <source>the pixel spacing is the detector&apos;s; distances in the patient are smaller</source>
+        <translation>l&apos;espacement des pixels est celui du détecteur ; les distances dans le patient sont plus petites</translation>
+    </message>
+    <message>
+        <source>its header has no ElementSpacing; 1 mm is assumed</source>
+        <translation>son en-tête n&apos;a pas d&apos;ElementSpacing ; 1 mm est supposé</translation>
+    </message>
+    <message>
+        <source>its header has no spacings; 1 mm is assumed</source>
+        <translation>son en-tête n&apos;a pas d&apos;espacements ; 1 mm est supposé</translation>
+    </message>
+    <message>
+        <source>the file holds %1 volumes (time points or layers); number %2 is shown</source>
+        <translation>le fichier contient %1 volumes (instants ou couches) ; le numéro %2 est montré</translation>
+    </message>
+    <message>
+        <source>all %1 frames lie at one position (time points or repeats, no deeper volume%2); each forms a volume of its own: number %3 is shown</source>
+        <translation>les %1 images sont à une même position (instants ou répétitions, pas de volume plus profond%2) ; chacune forme un volume à elle seule : le numéro %3 est montré</translation>
+    </message>
+    <message>
+        <source>%1 frames lie at each position (time points or repeats, no deeper volume%2); each forms a volume of its own: number %3 is shown</source>
+        <translation>il y a %1 images à chaque position (instants ou répétitions, pas de volume plus profond%2) ; chacune forme un volume à elle seule : le numéro %3 est montré</translation>
+    </message>
+    <message>
+        <source>; told apart by %1</source>
+        <translation>; distinguées par %1</translation>
+    </message>
+    <message>
+        <source>the slices are tilted by %1 degrees against the direction they are stacked in (%2 mm sideways from slice to slice)</source>
+        <translation>les coupes sont inclinées de %1 degrés par rapport à la direction d&apos;empilement (%2 mm de côté d&apos;une coupe à l&apos;autre)</translation>
+    </message>
+    <message>
+        <source>%1 missing: neighbours lie %2 mm apart, but up to %3 mm between the files named</source>
+        <translation>il manque %1 : les voisines sont à %2 mm, mais jusqu&apos;à %3 mm entre les fichiers nommés</translation>
+    </message>
+    <message>
+        <source>the slices lie between %1 mm and %2 mm apart</source>
+        <translation>les coupes sont espacées de %1 mm à %2 mm</translation>
+    </message>
+    <message>
+        <source>%1 shifted sideways by up to %2 mm from the line that the first and the last one lie on</source>
+        <translation>%1 décalées de côté jusqu&apos;à %2 mm de la ligne qui passe par la première et la dernière</translation>
+    </message>
+    <message>
+        <source>%1 with other directions or pixel spacing than the first; shown with those of the first, pixels lie up to %2 mm from their places</source>
+        <translation>%1 d&apos;autres directions ou d&apos;un autre espacement que la première ; montrées comme la première, des pixels sont jusqu&apos;à %2 mm de leur lieu</translation>
+    </message>
+    <message>
+        <source>the volume is sheared, so that every slice lies where it was scanned</source>
+        <translation>le volume est cisaillé, de sorte que chaque coupe est là où elle a été acquise</translation>
+    </message>
+    <message>
+        <source>all slices are shown %1 mm apart, up to %2 mm from where they were scanned</source>
+        <translation>toutes les coupes sont montrées à %1 mm, jusqu&apos;à %2 mm de là où elles ont été acquises</translation>
+    </message>
+    <message>
+        <source>%1; %2 of the voxels lie outside of what was scanned and hold the least value, %3</source>
+        <translation>%1 ; %2 des voxels sont hors de ce qui a été acquis et ont la plus petite valeur, %3</translation>
+    </message>
+    <message>
+        <source>%1; %2 in gaps wider than %3 mm is interpolated across the gap</source>
+        <translation>%1 ; %2 dans un vide de plus de %3 mm est interpolé à travers le vide</translation>
+    </message>
+    <message>
+        <source>%1; %2 in gaps wider than %3 mm are interpolated across the gap</source>
+        <translation>%1 ; %2 dans des vides de plus de %3 mm sont interpolés à travers le vide</translation>
+    </message>
+    <message>
+        <source>%1 (evenly spread they would lie up to %2 mm from their places)</source>
+        <translation>%1 (réparties également, elles seraient jusqu&apos;à %2 mm de leur lieu)</translation>
+    </message>
+    <message>
+        <source>%1, with nothing displaced</source>
+        <translation>%1, sans rien déplacer</translation>
+    </message>
+    <message>
+        <source>%1, displaced by up to %2 mm</source>
+        <translation>%1, déplacées de %2 mm au plus</translation>
+    </message>
+    <message>
+        <source>%1, sheared as they were scanned</source>
+        <translation>%1, cisaillés comme à l&apos;acquisition</translation>
+    </message>
+    <message>
+        <source>linear interpolation places the slices on %1 planes %2 mm apart</source>
+        <translation>l&apos;interpolation linéaire place les coupes sur %1 plans à %2 mm</translation>
+    </message>
+    <message>
+        <source>cubic interpolation places the slices on %1 planes %2 mm apart</source>
+        <translation>l&apos;interpolation cubique place les coupes sur %1 plans à %2 mm</translation>
+    </message>
+    <message>
+        <source>%1 left out: the same images (SOP instances) as in other files</source>
+        <translation>%1 laissés de côté : les mêmes images (instances SOP) que dans d&apos;autres fichiers</translation>
+    </message>
+    <message>
+        <source>%1 of the folder left out: not DICOM</source>
+        <translation>%1 du dossier laissés de côté : pas du DICOM</translation>
+    </message>
+    <message>
+        <source>%1 left out, unreadable (the first: %2)</source>
+        <translation>%1 laissés de côté, illisibles (le premier : %2)</translation>
+    </message>
+    <message>
+        <source>%1 listed in the DICOMDIR missing</source>
+        <translation>%1 du DICOMDIR manquent</translation>
+    </message>
+    <message>
+        <source>%1 left out, at positions that other slices have already</source>
+        <translation>%1 laissées de côté, à des positions que d&apos;autres coupes ont déjà</translation>
+    </message>
+    <message>
+        <source>%1 of the series put into volumes of their own: %2</source>
+        <translation>%1 de la série mises dans des volumes à part : %2</translation>
+    </message>
+    <message>
+        <source>another size or pixel spacing</source>
+        <translation>autre taille ou autre espacement des pixels</translation>
+    </message>
+    <message>
+        <source>another orientation</source>
+        <translation>autre orientation</translation>
+    </message>
+    <message>
+        <source>another frame of reference, frame type or stack</source>
+        <translation>autre repère, type d&apos;image ou pile</translation>
+    </message>
+    <message>
+        <source>%1 slices have a Series UID each; they agree in study and kind and lie evenly, and are taken for one series</source>
+        <translation>%1 coupes ont chacune un UID de série ; elles s&apos;accordent par l&apos;examen et le type et sont régulières, et sont prises pour une série</translation>
+    </message>
+    <message>
+        <source>%1 left out: %2</source>
+        <translation>%1 laissés de côté : %2</translation>
+    </message>
+    <message>
+        <source>the focus has no voxels in this volume</source>
+        <translation>la cible n&apos;a pas de voxels dans ce volume</translation>
+    </message>
+    <message>
+        <source>the volume %1 is not what it was when the session was saved</source>
+        <translation>le volume %1 n&apos;est plus ce qu&apos;il était quand la session a été enregistrée</translation>
+    </message>
+    <message>
+        <source>the label map %1 is not what it was when the session was saved</source>
+        <translation>la carte d&apos;étiquettes %1 n&apos;est plus ce qu&apos;elle était quand la session a été enregistrée</translation>
+    </message>
+    <message>
+        <source>the volume was found at %1, no longer at %2</source>
+        <translation>le volume a été trouvé dans %1, non plus dans %2</translation>
+    </message>
+    <message>
+        <source>the label map was found at %1, no longer at %2</source>
+        <translation>la carte d&apos;étiquettes a été trouvée dans %1, non plus dans %2</translation>
+    </message>
+    <message>
+        <source>%1 (in %2 of %3 slices)</source>
+        <translation>%1 (dans %2 coupes sur %3)</translation>
+    </message>
+    <message>
+        <source>%1 file</source>
+        <translation>%1 fichier</translation>
+    </message>
+    <message>
+        <source>%1 files</source>
+        <translation>%1 fichiers</translation>
+    </message>
+    <message>
+        <source>%1 slice</source>
+        <translation>%1 coupe</translation>
+    </message>
+    <message>
+        <source>%1 slices</source>
+        <translation>%1 coupes</translation>
+    </message>
+    <message>
+        <source>%1 plane</source>
+        <translation>%1 plan</translation>
+    </message>
+    <message>
+        <source>%1 planes</source>
+        <translation>%1 plans</translation>
+    </message>
+</context>
+<context>
     <name>Region</name>
     <message>
         <source>Its border is clear: values change by %1 there.</source>

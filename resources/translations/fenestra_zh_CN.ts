@@ -1096,6 +1096,221 @@
     </message>
 </context>
 <context>
+    <name>Reader</name>
+    <message>
+        <source>the scanner&apos;s table is left out of 3-D pictures; slices show it</source>
+        <translation>三维图像中省略了扫描床；层面仍显示它</translation>
+    </message>
+    <message>
+        <source>the file names no modality; its values (%1 to %2) are taken for Hounsfield units of a CT</source>
+        <translation>文件未注明模态；其数值（%1 至 %2）按 CT 的亨氏单位处理</translation>
+    </message>
+    <message>
+        <source>the file stores no orientation; its axes are taken as right, anterior, superior</source>
+        <translation>文件未存储方向；其轴按右、前、上处理</translation>
+    </message>
+    <message>
+        <source>the file does not say where the slice lies in the patient</source>
+        <translation>文件未说明该层面在患者体内的位置</translation>
+    </message>
+    <message>
+        <source>the file does not say where its slices lie in the patient; their Slice Location gives their order and a distance of %1 mm, the place is a guess</source>
+        <translation>文件未说明其层面在患者体内的位置；Slice Location 给出顺序和 %1 mm 的间距，位置为推测</translation>
+    </message>
+    <message>
+        <source>the file does not say where its slices lie in the patient; they are shown in their stored order, at a distance that is a guess (%1 mm, %2)</source>
+        <translation>文件未说明其层面在患者体内的位置；按存储顺序显示，间距为推测（%1 mm，%2）</translation>
+    </message>
+    <message>
+        <source>no pixel spacing is given; 1 mm is assumed</source>
+        <translation>未给出像素间距；假定为 1 mm</translation>
+    </message>
+    <message>
+        <source>the pixel spacing is the detector&apos;s; distances in the patient are smaller</source>
+        <translation>像素间距为探测器的间距；患者体内的距离更小</translation>
+    </message>
+    <message>
+        <source>its header has no ElementSpacing; 1 mm is assumed</source>
+        <translation>其文件头没有 ElementSpacing；假定为 1 mm</translation>
+    </message>
+    <message>
+        <source>its header has no spacings; 1 mm is assumed</source>
+        <translation>其文件头没有体素间距；假定为 1 mm</translation>
+    </message>
+    <message>
+        <source>the file holds %1 volumes (time points or layers); number %2 is shown</source>
+        <translation>文件含 %1 个体数据（时间点或层）；显示第 %2 个</translation>
+    </message>
+    <message>
+        <source>all %1 frames lie at one position (time points or repeats, no deeper volume%2); each forms a volume of its own: number %3 is shown</source>
+        <translation>全部 %1 幅图像位于同一位置（时间点或重复采集，并非更厚的体数据%2）；每幅自成一个体数据：显示第 %3 个</translation>
+    </message>
+    <message>
+        <source>%1 frames lie at each position (time points or repeats, no deeper volume%2); each forms a volume of its own: number %3 is shown</source>
+        <translation>每个位置有 %1 幅图像（时间点或重复采集，并非更厚的体数据%2）；各自成为一个体数据：显示第 %3 个</translation>
+    </message>
+    <message>
+        <source>; told apart by %1</source>
+        <translation>；按 %1 区分</translation>
+    </message>
+    <message>
+        <source>the slices are tilted by %1 degrees against the direction they are stacked in (%2 mm sideways from slice to slice)</source>
+        <translation>层面相对堆叠方向倾斜 %1 度（相邻层面横向偏移 %2 mm）</translation>
+    </message>
+    <message>
+        <source>%1 missing: neighbours lie %2 mm apart, but up to %3 mm between the files named</source>
+        <translation>缺少 %1：相邻层面间距 %2 mm，但所列文件之间达 %3 mm</translation>
+    </message>
+    <message>
+        <source>the slices lie between %1 mm and %2 mm apart</source>
+        <translation>层面间距在 %1 mm 至 %2 mm 之间</translation>
+    </message>
+    <message>
+        <source>%1 shifted sideways by up to %2 mm from the line that the first and the last one lie on</source>
+        <translation>%1 相对首末层面连线横向偏移达 %2 mm</translation>
+    </message>
+    <message>
+        <source>%1 with other directions or pixel spacing than the first; shown with those of the first, pixels lie up to %2 mm from their places</source>
+        <translation>%1 的方向或像素间距与第一层不同；按第一层显示，像素偏离其位置达 %2 mm</translation>
+    </message>
+    <message>
+        <source>the volume is sheared, so that every slice lies where it was scanned</source>
+        <translation>体数据经剪切变形，使每一层面都在其扫描位置</translation>
+    </message>
+    <message>
+        <source>all slices are shown %1 mm apart, up to %2 mm from where they were scanned</source>
+        <translation>所有层面以 %1 mm 间距显示，偏离扫描位置达 %2 mm</translation>
+    </message>
+    <message>
+        <source>%1; %2 of the voxels lie outside of what was scanned and hold the least value, %3</source>
+        <translation>%1；%2 的体素位于扫描范围之外，取最小值 %3</translation>
+    </message>
+    <message>
+        <source>%1; %2 in gaps wider than %3 mm is interpolated across the gap</source>
+        <translation>%1；宽于 %3 mm 的间隙中有 %2 为跨间隙插值</translation>
+    </message>
+    <message>
+        <source>%1; %2 in gaps wider than %3 mm are interpolated across the gap</source>
+        <translation>%1；宽于 %3 mm 的间隙中有 %2 为跨间隙插值</translation>
+    </message>
+    <message>
+        <source>%1 (evenly spread they would lie up to %2 mm from their places)</source>
+        <translation>%1（若均匀分布，将偏离其位置达 %2 mm）</translation>
+    </message>
+    <message>
+        <source>%1, with nothing displaced</source>
+        <translation>%1，无位移</translation>
+    </message>
+    <message>
+        <source>%1, displaced by up to %2 mm</source>
+        <translation>%1，位移达 %2 mm</translation>
+    </message>
+    <message>
+        <source>%1, sheared as they were scanned</source>
+        <translation>%1，按扫描时剪切</translation>
+    </message>
+    <message>
+        <source>linear interpolation places the slices on %1 planes %2 mm apart</source>
+        <translation>线性插值将层面置于间距 %2 mm 的 %1 个平面上</translation>
+    </message>
+    <message>
+        <source>cubic interpolation places the slices on %1 planes %2 mm apart</source>
+        <translation>三次插值将层面置于间距 %2 mm 的 %1 个平面上</translation>
+    </message>
+    <message>
+        <source>%1 left out: the same images (SOP instances) as in other files</source>
+        <translation>省略 %1：与其他文件为相同图像（SOP 实例）</translation>
+    </message>
+    <message>
+        <source>%1 of the folder left out: not DICOM</source>
+        <translation>省略文件夹中的 %1：不是 DICOM</translation>
+    </message>
+    <message>
+        <source>%1 left out, unreadable (the first: %2)</source>
+        <translation>省略 %1，无法读取（第一个：%2）</translation>
+    </message>
+    <message>
+        <source>%1 listed in the DICOMDIR missing</source>
+        <translation>缺少 DICOMDIR 所列的 %1</translation>
+    </message>
+    <message>
+        <source>%1 left out, at positions that other slices have already</source>
+        <translation>省略 %1，其位置已有其他层面</translation>
+    </message>
+    <message>
+        <source>%1 of the series put into volumes of their own: %2</source>
+        <translation>该序列的 %1 另成体数据：%2</translation>
+    </message>
+    <message>
+        <source>another size or pixel spacing</source>
+        <translation>尺寸或像素间距不同</translation>
+    </message>
+    <message>
+        <source>another orientation</source>
+        <translation>方向不同</translation>
+    </message>
+    <message>
+        <source>another frame of reference, frame type or stack</source>
+        <translation>参考坐标系、图像类型或堆栈不同</translation>
+    </message>
+    <message>
+        <source>%1 slices have a Series UID each; they agree in study and kind and lie evenly, and are taken for one series</source>
+        <translation>%1 个层面各有一个序列 UID；它们的检查与类型一致且均匀分布，视为同一序列</translation>
+    </message>
+    <message>
+        <source>%1 left out: %2</source>
+        <translation>省略 %1：%2</translation>
+    </message>
+    <message>
+        <source>the focus has no voxels in this volume</source>
+        <translation>焦点在此体数据中没有体素</translation>
+    </message>
+    <message>
+        <source>the volume %1 is not what it was when the session was saved</source>
+        <translation>体数据 %1 与保存会话时不同</translation>
+    </message>
+    <message>
+        <source>the label map %1 is not what it was when the session was saved</source>
+        <translation>标签图 %1 与保存会话时不同</translation>
+    </message>
+    <message>
+        <source>the volume was found at %1, no longer at %2</source>
+        <translation>体数据在 %1 找到，已不在 %2</translation>
+    </message>
+    <message>
+        <source>the label map was found at %1, no longer at %2</source>
+        <translation>标签图在 %1 找到，已不在 %2</translation>
+    </message>
+    <message>
+        <source>%1 (in %2 of %3 slices)</source>
+        <translation>%1（%3 个层面中的 %2 个）</translation>
+    </message>
+    <message>
+        <source>%1 file</source>
+        <translation>%1 个文件</translation>
+    </message>
+    <message>
+        <source>%1 files</source>
+        <translation>%1 个文件</translation>
+    </message>
+    <message>
+        <source>%1 slice</source>
+        <translation>%1 个层面</translation>
+    </message>
+    <message>
+        <source>%1 slices</source>
+        <translation>%1 个层面</translation>
+    </message>
+    <message>
+        <source>%1 plane</source>
+        <translation>%1 个平面</translation>
+    </message>
+    <message>
+        <source>%1 planes</source>
+        <translation>%1 个平面</translation>
+    </message>
+</context>
+<context>
     <name>Region</name>
     <message>
         <source>Its border is clear: values change by %1 there.</source>

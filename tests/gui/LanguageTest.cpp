@@ -1,5 +1,6 @@
 // The translated texts: each file is what lupdate makes of the sources, whole, and keeps what a program puts in.
 
+#include <algorithm>
 #include <map>
 #include <set>
 #include <string>
@@ -8,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include <QCoreApplication>
+#include <QDirIterator>
 #include <QFile>
 #include <QLocale>
 #include <QProcess>
@@ -16,12 +18,14 @@
 #include <QXmlStreamReader>
 
 #include "io/TransferFunctionFile.h"
+#include "io/study/ReadStudy.h"
 #include "rendering/scene/Lighting.h"
 #include "rendering/settings/Settings.h"
 #include "tests/gui/Patience.h"
 #include "viewer/model/Languages.h"
 #include "viewer/model/NumberText.h"
 #include "viewer/model/Preferences.h"
+#include "viewer/model/ReaderText.h"
 #include "viewer/model/Translation.h"
 #include "viewer/model/WayOutText.h"
 
@@ -226,6 +230,36 @@ TEST_F(UpToDate, TextsOfTablesAreFound) {
     EXPECT_TRUE(found.contains(text)) << "packaging/translations does not find \"" << text << '"';
 }
 
+/// Whether a source has a literal of the text, which may be written in several pieces.
+bool isWrittenIn(const QString& source, const QString& text) {
+  static const QRegularExpression seam(QStringLiteral("\"\\s*\\+?\\s*(std::string\\()?\""));
+  return QString(source).remove(seam).contains(text);
+}
+
+TEST(ReaderTexts, AreWhatReadersSay) {
+  QStringList sources;
+  for (const char* folder : {"io", "rendering"}) {
+    QDirIterator files(QStringLiteral(FENESTRA_SOURCE_DIR "/") + QLatin1String(folder), {QStringLiteral("*.cpp")},
+                       QDir::Files, QDirIterator::Subdirectories);
+    while (files.hasNext()) {
+      QFile file(files.next());
+      ASSERT_TRUE(file.open(QIODevice::ReadOnly));
+      sources << QString::fromUtf8(file.readAll());
+    }
+  }
+  int looked = 0;
+  for (const char* each : readerTexts()) {
+    const QString text = QLatin1String(each);
+    if (text.contains(QLatin1Char('%')))
+      continue;  // its pieces stand apart; WhatReadersSayIsTranslatedWithWhatStandsInIt has the longest
+    ++looked;
+    EXPECT_TRUE(std::any_of(sources.begin(), sources.end(), [&](const QString& source) {
+      return isWrittenIn(source, text);
+    })) << each;
+  }
+  EXPECT_GT(looked, 10);
+}
+
 class Spoken : public testing::TestWithParam<Language> {
  protected:
   void SetUp() override { speak(GetParam().code); }
@@ -236,6 +270,31 @@ TEST_P(Spoken, TextsAreTranslatedWhereTheWindowAsksForThem) {
   EXPECT_NE(translated(settingOf(&Cutaway::borderColour).name), QStringLiteral("Border colour"));
   EXPECT_NE(QCoreApplication::translate("fenestra::viewer::Actions", "&File"), QStringLiteral("&File"));
   EXPECT_NE(windowWords(io::WayOut::OmitData), QStringLiteral("open it without files"));
+}
+
+TEST_P(Spoken, WhatReadersSayIsTranslatedWithWhatStandsInIt) {
+  const bool isChinese = GetParam().code == std::string("zh_CN");
+  const auto says = [](const char* text, const QStringList& kept, const QStringList& gone) {
+    const QString said = readerText(QLatin1String(text));
+    for (const QString& each : kept) EXPECT_TRUE(said.contains(each)) << said.toStdString();
+    for (const QString& each : gone) EXPECT_FALSE(said.contains(each)) << said.toStdString();
+  };
+  says(io::tableWarning().text.c_str(), {}, {QStringLiteral("scanner's"), QStringLiteral("slices")});
+  says("2 slices missing: neighbours lie 1.25 mm apart, but up to 3.75 mm between the files named",
+       {isChinese ? QStringLiteral("1.25 mm") : QStringLiteral("1,25 mm"), QStringLiteral("2 ")},
+       {QStringLiteral("slices"), QStringLiteral("%")});
+  says("12 files left out, unreadable (the first: a %1 b.dcm: is cut off)",
+       {QStringLiteral("12 "), QStringLiteral("a %1 b.dcm: is cut off")},
+       {QStringLiteral("files"), QStringLiteral("left")});
+  says(
+      "linear interpolation places the slices on 24 planes 2.5 mm apart, sheared as they were scanned, displaced by up "
+      "to 0.5 mm (evenly spread they would lie up to 4 mm from their places); 1 plane in gaps wider than 3 mm is "
+      "interpolated across the gap; 3.1 % of the voxels lie outside of what was scanned and hold the least value, "
+      "-1024 HU",
+      {QStringLiteral("24 "), QStringLiteral("-1024 HU")},
+      {QStringLiteral("linear interpolation"), QStringLiteral("scanned"), QStringLiteral("displaced"),
+       QStringLiteral("evenly"), QStringLiteral("across"), QStringLiteral("outside")});
+  EXPECT_EQ(readerText(QStringLiteral("a text that no reader has")), QStringLiteral("a text that no reader has"));
 }
 
 TEST_P(Spoken, PluralsFollowTheNumber) {

@@ -3,6 +3,7 @@
 #include <QCoreApplication>
 
 #include "viewer/model/Paths.h"
+#include "viewer/model/ReaderText.h"
 
 namespace fenestra::viewer {
 namespace {
@@ -69,7 +70,9 @@ QString windowWords(io::WayOut way) {
   return {};
 }
 
-QString windowText(const io::Warning& warning) { return joined(QString::fromStdString(warning.text), warning.way); }
+QString windowText(const io::Warning& warning) {
+  return joined(readerText(QString::fromStdString(warning.text)), warning.way);
+}
 
 QString windowText(const std::exception& error) {
   const auto* known = dynamic_cast<const io::Error*>(&error);
