@@ -1,5 +1,6 @@
 // The window in its languages, on the screen of a small laptop, and what it tells assistive programs.
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <set>
@@ -15,9 +16,11 @@
 #include <QMenuBar>
 #include <QTabBar>
 #include <QTest>
+#include <QToolButton>
 
 #include "tests/gui/CutTexts.h"
 #include "tests/gui/WindowFixture.h"
+#include "viewer/bars/NoticeBar.h"
 #include "viewer/dialogs/SettingsDialog.h"
 #include "viewer/model/Languages.h"
 #include "viewer/style/Style.h"
@@ -90,8 +93,8 @@ class Accessible : public Window {
   }
 };
 
-/// What the keyboard reaches. Fields within such controls do not count, nor the bar without tabs that Qt keeps beyond the
-/// window's edge for docks that are hidden.
+/// What the keyboard reaches. Fields within such controls do not count, nor the bar without tabs that Qt keeps beyond
+/// the window's edge for docks that are hidden.
 bool isControl(const QWidget& widget) {
   if (const auto* tabs = qobject_cast<const QTabBar*>(&widget); tabs && tabs->count() == 0) return false;
   return widget.isVisible() && widget.focusPolicy() != Qt::NoFocus && !widget.focusProxy() && !widget.isWindow() &&
@@ -160,6 +163,24 @@ TEST(Contrast, TextsStandOutInBothThemes) {
                                        {QPalette::HighlightedText, QPalette::Highlight},
                                        {QPalette::Link, QPalette::Window}})
       EXPECT_GE(contrast(palette.color(text), palette.color(ground)), least) << text << " on " << ground;
+  }
+  applyStyle(*qApp, Theme::Dark);
+}
+
+TEST(Contrast, TheCrossOfANoticeStandsOutInBothThemes) {
+  constexpr double least = 3.0;  // WCAG 2.1, AA, for what is no text
+  for (const Theme theme : {Theme::Dark, Theme::Light}) {
+    applyStyle(*qApp, theme);
+    NoticeBar bar;
+    bar.add(NoticeBar::Kind::Warning, NoticeBar::Subject::Study, QStringLiteral("w"));
+    bar.resize(300, bar.sizeHint().height());
+    bar.show();
+    const QImage cross = bar.findChild<QToolButton*>()->grab().toImage();
+    double greatest = 1.0;
+    for (int y = 0; y < cross.height(); ++y)
+      for (int x = 0; x < cross.width(); ++x)
+        greatest = std::max(greatest, contrast(cross.pixelColor(x, y), cross.pixelColor(1, 1)));
+    EXPECT_GE(greatest, least) << (theme == Theme::Dark ? "dark" : "light");
   }
   applyStyle(*qApp, Theme::Dark);
 }

@@ -12,6 +12,7 @@
 #include "viewer/bars/StudyDialogs.h"
 #include "viewer/model/Paths.h"
 #include "viewer/model/WayOutText.h"
+#include "viewer/style/Style.h"
 
 namespace fenestra::viewer {
 namespace {
@@ -108,7 +109,7 @@ void NoticeBar::add(Kind kind, Subject subject, const QString& text, const std::
   label->setTextInteractionFlags(Qt::TextSelectableByMouse);
   auto* close = new QToolButton;
   close->setAutoRaise(true);
-  close->setIcon(QIcon(QStringLiteral(":/icons/close.svg")));
+  close->setIcon(icon("close"));
   close->setToolTip(tr("Dismiss"));
   auto* row = new QHBoxLayout(frame);
   row->setContentsMargins(8, 5, 6, 5);
