@@ -94,6 +94,7 @@ ServerEntry entryOf(const tests::RunningServer& running) {
   entry.host = QString::fromStdString(running.server.host);
   entry.port = running.server.port;
   entry.title = QString::fromStdString(running.server.title);
+  if (running.server.ownPort != 0) entry.ownPort = running.server.ownPort;
   return entry;
 }
 

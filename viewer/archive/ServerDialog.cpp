@@ -81,8 +81,11 @@ void ServerDialog::addDicomRows() {
   way_->setToolTip(
       tr("How objects come. C-GET needs nothing more; with C-MOVE our address and port are entered at the "
          "server, and the port is open while objects come"));
-  interface_ = lineOf(before_.interface, "ownAddress", tr("Address of this machine that the server sends to"));
-  ownPort_ = portBox(before_.ownPort, "ownPort", tr("Port of this machine that the server sends to"));
+  interface_ = lineOf(
+      before_.interface, "ownAddress",
+      tr("Address of this machine that the server sends to: objects by C-MOVE, and whether it keeps what it was sent"));
+  ownPort_ = portBox(before_.ownPort, "ownPort",
+                     tr("Port of this machine that the server sends to; it is open while that is waited for"));
   form_->addRow(tr("Host"), host_);
   form_->addRow(tr("Port"), port_);
   form_->addRow(tr("Its AE title"), title_);
@@ -140,11 +143,9 @@ void ServerDialog::showRows() {
   const auto kind = static_cast<ServerEntry::Kind>(kind_->currentIndex());
   const bool isWeb = kind == ServerEntry::Kind::Web, isTls = kind == ServerEntry::Kind::DicomTls;
   for (QWidget* each : {static_cast<QWidget*>(host_), static_cast<QWidget*>(port_), static_cast<QWidget*>(title_),
-                        static_cast<QWidget*>(ownTitle_), static_cast<QWidget*>(way_)})
+                        static_cast<QWidget*>(ownTitle_), static_cast<QWidget*>(way_),
+                        static_cast<QWidget*>(interface_), static_cast<QWidget*>(ownPort_)})
     form_->setRowVisible(each, !isWeb);
-  const bool moves = !isWeb && way_->currentIndex() == 1;
-  form_->setRowVisible(interface_, moves);
-  form_->setRowVisible(ownPort_, moves);
   form_->setRowVisible(url_, isWeb);
   form_->setRowVisible(login_, isWeb);
   form_->setRowVisible(

@@ -105,7 +105,7 @@ AnyServer serverOf(const ServerEntry& entry, const io::archive::Secret& secret, 
   io::archive::Server server = io::archive::parseServer(dicomAddress(entry)).value();
   server.ownTitle = entry.ownTitle.toStdString();
   server.interface = entry.interface.toStdString();
-  server.ownPort = entry.moves ? entry.ownPort : 0;
+  server.ownPort = entry.ownPort;
   if (server.tls) *server.tls = {toPath(entry.authorities), toPath(entry.certificate), toPath(entry.key)};
   server.limits = limits;
   return server;

@@ -27,8 +27,8 @@ struct ServerEntry {
   int port = 104;
   QString title, ownTitle = QStringLiteral("FENESTRA");  ///< AE titles
   bool moves = false;                                    ///< retrieves by C-MOVE rather than C-GET
-  QString interface = QStringLiteral("127.0.0.1");       ///< address of ours that C-MOVE's objects come to
-  int ownPort = 11112;                                   ///< and port
+  QString interface = QStringLiteral("127.0.0.1");       ///< address of ours that C-MOVE's objects come to,
+  int ownPort = 11112;                                   ///< and port; storage commitments, too
   QString certificate, key;                              ///< ours, PEM files; empty: none
 
   // DICOMweb.
