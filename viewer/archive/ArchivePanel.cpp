@@ -17,6 +17,7 @@
 #include <QVBoxLayout>
 
 #include "viewer/archive/ArchiveModel.h"
+#include "viewer/archive/ArchivePictures.h"
 #include "viewer/archive/Conversation.h"
 #include "viewer/archive/RetrievalList.h"
 #include "viewer/archive/Retrievals.h"
@@ -82,6 +83,7 @@ ArchivePanel::ArchivePanel(Archives& archives, Retrievals& retrievals, QWidget* 
 ArchivePanel::~ArchivePanel() {
   job_.disconnect(this);
   seriesJob_.disconnect(this);
+  pictures_.reset();  // before the tree that it looks at
 }
 
 QWidget* ArchivePanel::makeServerRow() {
@@ -161,6 +163,8 @@ QWidget* ArchivePanel::makeResults() {
   connect(results_->selectionModel(), &QItemSelectionModel::selectionChanged, this, &ArchivePanel::enableButtons);
   connect(model_, &ArchiveModel::modelReset, this, &ArchivePanel::enableButtons);
 
+  pictures_ = std::make_unique<ArchivePictures>(archives_, *results_, *model_);
+
   QHBoxLayout* buttons = makeResultButtons();
   resultsPart_ = new QWidget;
   auto* column = new QVBoxLayout(resultsPart_);
@@ -238,6 +242,11 @@ void ArchivePanel::test() {
   });
 }
 
+void ArchivePanel::setFoundAt(const QString& id) {
+  found_ = id;
+  pictures_->setServer(id);
+}
+
 void ArchivePanel::search(std::size_t most) {
   const ServerEntry* entry = server();
   std::optional<AnyServer> reached = entry ? archives_.reach(*entry) : std::nullopt;
@@ -251,7 +260,7 @@ void ArchivePanel::search(std::size_t most) {
   more_->hide();
   wantedSeries_.clear();
   seriesJob_.cancel();
-  found_ = entry->id;
+  setFoundAt(entry->id);
   model_->setTree(std::make_shared<ArchiveNode>());
   say(tr("Searching…"));
   isSearch_ = true;
