@@ -102,7 +102,9 @@ TEST_F(ArchiveWindow, NothingOfAPatientOrASecretIsKeptOrShownWhileHidden) {
     ++asked;
     return std::optional(QStringLiteral("secret word"));
   });
-  enter(webEntryOf(*running));
+  ServerEntry kept = webEntryOf(*running);
+  kept.keepsSecret = true;
+  enter(kept);
   in<QLineEdit>(archive(), "patientId")->setText(QStringLiteral("P-1"));
   in<QLineEdit>(archive(), "accession")->setText(QStringLiteral("A100"));
   search(QStringLiteral("Smith"));
@@ -118,6 +120,9 @@ TEST_F(ArchiveWindow, NothingOfAPatientOrASecretIsKeptOrShownWhileHidden) {
   waitFor([&] { return document().hasVolume(); });
   waitUntilDrawn();
   EXPECT_EQ(asked, 1) << "once in a run";
+  auto* problem = in<QLabel>(archive(), "archiveKeyRing");
+  EXPECT_TRUE(problem->isVisible()) << "there is no key ring";
+  EXPECT_TRUE(problem->text().contains(QStringLiteral("key ring"))) << problem->text().toStdString();
 
   const QStringList words{QStringLiteral("Smith"), QStringLiteral("Anna"),       QStringLiteral("P-1"),
                           QStringLiteral("A100"),  QStringLiteral("2024-01-05"), QStringLiteral("20240105"),

@@ -58,6 +58,7 @@ ArchivePanel::ArchivePanel(Archives& archives, Retrievals& retrievals, QWidget* 
   column->addWidget(off_);
   column->addWidget(form_);
   column->addWidget(status_);
+  column->addWidget(keyRing_);
   column->addWidget(split, 1);
 
   connect(form_, &SearchForm::searchRequested, this, [this] { search(firstAnswers); });
@@ -129,6 +130,15 @@ QWidget* ArchivePanel::makeResults() {
   status_->setObjectName(QStringLiteral("archiveStatus"));
   status_->setTextFormat(Qt::PlainText);
   status_->setWordWrap(true);
+  keyRing_ = new QLabel;
+  keyRing_->setObjectName(QStringLiteral("archiveKeyRing"));
+  keyRing_->setTextFormat(Qt::PlainText);
+  keyRing_->setWordWrap(true);
+  keyRing_->hide();
+  connect(&archives_, &Archives::keyRingFailed, this, [this](const QString& problem) {
+    keyRing_->setText(problem);
+    keyRing_->show();
+  });
   model_ = new ArchiveModel(this);
   results_ = new QTreeView;
   results_->setObjectName(QStringLiteral("archiveResults"));

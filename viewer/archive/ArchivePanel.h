@@ -86,7 +86,7 @@ class ArchivePanel : public QWidget {
   QToolButton *test_, *serverMenu_;
   QAction *edit_, *remove_;
   SearchForm* form_;
-  QLabel *off_, *status_;
+  QLabel *off_, *status_, *keyRing_;
   QToolButton* more_;
   QWidget* resultsPart_;
   QTreeView* results_;

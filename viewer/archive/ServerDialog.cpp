@@ -1,5 +1,6 @@
 #include "viewer/archive/ServerDialog.h"
 
+#include <QCheckBox>
 #include <QComboBox>
 #include <QDialogButtonBox>
 #include <QFormLayout>
@@ -102,11 +103,18 @@ void ServerDialog::addWebRows() {
   login_->setObjectName(QStringLiteral("serverLogin"));
   login_->addItems({tr("None"), tr("User and password"), tr("Token")});  // in the order of Login
   login_->setCurrentIndex(static_cast<int>(before_.login));
-  login_->setToolTip(tr("The password or token is asked for when it is needed, and forgotten when the program ends"));
+  login_->setToolTip(tr("The password or token is asked for when it is needed"));
+  keeps_ = new QCheckBox(tr("Keep it in the desktop's key ring"));
+  keeps_->setObjectName(QStringLiteral("serverKeeps"));
+  keeps_->setChecked(before_.keepsSecret);
+  keeps_->setToolTip(
+      tr("The password or token is kept where the desktop keeps those of other programs, encrypted, and nowhere else. "
+         "Otherwise it is forgotten when the program ends"));
   user_ = lineOf(before_.user, "serverUser", tr("Who you are to the server"));
   form_->addRow(tr("Address"), url_);
   form_->addRow(tr("Login"), login_);
   form_->addRow(tr("User"), user_);
+  form_->addRow(keeps_);
 }
 
 void ServerDialog::addTlsRows() {
@@ -150,6 +158,8 @@ void ServerDialog::showRows() {
   form_->setRowVisible(login_, isWeb);
   form_->setRowVisible(
       user_, isWeb && static_cast<ServerEntry::Login>(login_->currentIndex()) == ServerEntry::Login::Password);
+  form_->setRowVisible(keeps_,
+                       isWeb && static_cast<ServerEntry::Login>(login_->currentIndex()) != ServerEntry::Login::None);
   form_->setRowVisible(authoritiesRow_, isWeb || isTls);
   form_->setRowVisible(certificateRow_, isTls);
   form_->setRowVisible(keyRow_, isTls);
@@ -170,6 +180,8 @@ ServerEntry ServerDialog::entry() const {
   entry.url = url_->text().trimmed();
   entry.login = static_cast<ServerEntry::Login>(login_->currentIndex());
   entry.user = user_->text().trimmed();
+  entry.keepsSecret =
+      entry.kind == ServerEntry::Kind::Web && entry.login != ServerEntry::Login::None && keeps_->isChecked();
   entry.authorities = authorities_->text().trimmed();
   entry.certificate = certificate_->text().trimmed();
   entry.key = key_->text().trimmed();

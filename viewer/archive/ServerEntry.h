@@ -1,6 +1,6 @@
 #pragma once
 // An archive server as the user entered it, kept in the preferences. It holds no secret: a password or token is asked
-// for when it is needed, and stays in memory.
+// for when it is needed, and stays in memory or, where the user says so, in the desktop's key ring (KeyRing.h).
 
 #include <cstdint>
 #include <optional>
@@ -35,6 +35,7 @@ struct ServerEntry {
   QString url;  ///< of the service's root
   Login login = Login::None;
   QString user;
+  bool keepsSecret = false;  ///< its password or token, in the key ring
 
   QString authorities;  ///< PEM file of certificates that may sign the server's; TLS needs it
 
