@@ -104,7 +104,7 @@ void ServerDialog::addWebRows() {
   login_->addItems({tr("None"), tr("User and password"), tr("Token")});  // in the order of Login
   login_->setCurrentIndex(static_cast<int>(before_.login));
   login_->setToolTip(tr("The password or token is asked for when it is needed"));
-  keeps_ = new QCheckBox(tr("Keep it in the desktop's key ring"));
+  keeps_ = new QCheckBox(tr("Keep the password or token in the key ring"));
   keeps_->setObjectName(QStringLiteral("serverKeeps"));
   keeps_->setChecked(before_.keepsSecret);
   keeps_->setToolTip(
