@@ -9,6 +9,7 @@
 #include "app/options/Numbers.h"
 #include "app/options/WordOptions.h"
 #include "io/archive/Cache.h"
+#include "io/archive/Commitment.h"
 #include "io/archive/Retrieve.h"
 #include "io/archive/Send.h"
 #include "io/archive/WebArchive.h"
@@ -80,9 +81,11 @@ void addConversation(app::Command command, ArchiveOptions& options) {
               });
   command
       .addValue("--interface", server.interface,
-                "move: address of this machine that the server sends to, default 127.0.0.1")
+                "move, --commit: address of this machine that the server sends to, default 127.0.0.1")
       .as("ADDRESS");
-  command.addValue("--port", server.ownPort, "move: port of this machine that the server sends to; open only meanwhile")
+  command
+      .addValue("--port", server.ownPort,
+                "move, --commit: port of this machine that the server sends to; open only meanwhile")
       .as("PORT")
       .within(1, 65535);
   command.add("--silence", "SECONDS", "how long the server may be silent, default 60; a transfer may take any time",
@@ -132,6 +135,22 @@ void addTls(app::Command command, ArchiveOptions& options) {
               });
 }
 
+void addCommitment(app::Command command, ArchiveOptions& options) {
+  command.group("Sending");
+  const app::Option commit = command.addFlag(
+      "--commit", options.commits,
+      "ask the server to confirm that it keeps the objects (storage commitment); most servers need --port for that");
+  command
+      .add("--wait", "SECONDS", "how long to wait for the confirmation, default 300",
+           [&options](const std::string& text) {
+             const std::optional<double> seconds = app::parseNumber<double>(text);
+             if (!seconds || *seconds < 0.1 || *seconds > 86400) return false;
+             options.server.limits.commitment = std::chrono::milliseconds(std::lround(*seconds * 1000));
+             return true;
+           })
+      .needs(commit);
+}
+
 /// What an action needs.
 void checkAction(const ArchiveOptions& options) {
   const bool retrieves = options.action == Action::Get || options.action == Action::Move;
@@ -140,6 +159,9 @@ void checkAction(const ArchiveOptions& options) {
     throw app::MissingOption{"--secret", "--user"};
   if (options.server.tls && options.server.tls->authorities.empty())
     throw app::MissingOption{"--tls-authorities", "dicoms://"};
+  if (options.commits && options.action != Action::Send) throw app::WrongValue{"only archive send takes --commit"};
+  if (options.commits && options.web)
+    throw app::WrongValue{"DICOMweb has no storage commitment; name the server dicom:// or dicoms://"};
   if (options.action == Action::Send && options.files.empty()) throw app::MissingOption{"PATH", "archive send"};
   if (options.action != Action::Send && !options.files.empty()) throw app::WrongValue{"only archive send takes PATH"};
   if (!retrieves) return;
@@ -213,22 +235,68 @@ Json retrieved(const ArchiveOptions& options) {
   return json;
 }
 
-Json sent(const ArchiveOptions& options) {
-  const std::vector<fs::path> files = io::archive::filesToSend({options.files.begin(), options.files.end()});
-  if (files.empty())
-    throw io::Error(options.files.front(), "holds no DICOM objects", "name DICOM files, or folders that hold some");
-  const std::vector<io::archive::Sent> all =
-      withServer(options, [&](const auto& server) { return io::archive::send(server, files, progressOnTerminal()); });
+using Commitments = std::map<std::string, io::archive::Commitment>;
+
+/// Null where the server says nothing of an object.
+Json committed(const Commitments& commitments, const std::string& object) {
+  using Verdict = io::archive::Commitment::Verdict;
+  const auto at = commitments.find(object);
+  if (at == commitments.end() || at->second.verdict == Verdict::Unsaid) return nullptr;
+  return at->second.verdict == Verdict::Kept;
+}
+
+Json sent(const ArchiveOptions& options, const std::vector<io::archive::Sent>& all, const Commitments& commitments) {
   Json objects = Json::array();
-  std::size_t accepted = 0;
+  std::size_t accepted = 0, kept = 0;
   for (const io::archive::Sent& each : all) {
     accepted += each.accepted ? 1 : 0;
     Json object{{"file", each.file.string()}, {"object", each.object}, {"accepted", each.accepted}};
     object["status"] = each.status;
     if (!each.text.empty()) object["text"] = each.text;
+    if (options.commits) {
+      object["committed"] = committed(commitments, each.object);
+      kept += object["committed"] == true ? 1 : 0;
+      const auto at = commitments.find(each.object);
+      if (at != commitments.end() && !at->second.text.empty()) object["text"] = at->second.text;
+    }
     objects.push_back(std::move(object));
   }
-  return {{"source", nameOf(options)}, {"accepted", accepted}, {"objects", std::move(objects)}};
+  Json json{{"source", nameOf(options)}, {"accepted", accepted}};
+  if (options.commits) json["committed"] = kept;
+  json["objects"] = std::move(objects);
+  return json;
+}
+
+/// Says how many of the objects there is something wrong with; true: none.
+bool tellMissing(const ArchiveOptions& options, const Json& json, const char* count, const char* what) {
+  const std::size_t left = json["objects"].size() - json[count].get<std::size_t>();
+  if (left == 0) return true;
+  std::cerr << oneLine("fenestra-cli: " + nameOf(options) + ": " + std::to_string(left) + " of " +
+                       std::to_string(json["objects"].size()) + " objects " + what +
+                       "; standard output says why for each")
+            << '\n';
+  return false;
+}
+
+bool send(const ArchiveOptions& options) {
+  const std::vector<fs::path> files = io::archive::filesToSend({options.files.begin(), options.files.end()});
+  if (files.empty())
+    throw io::Error(options.files.front(), "holds no DICOM objects", "name DICOM files, or folders that hold some");
+  const std::vector<io::archive::Sent> all =
+      withServer(options, [&](const auto& server) { return io::archive::send(server, files, progressOnTerminal()); });
+  Commitments commitments;
+  if (options.commits) {
+    try {
+      commitments = io::archive::commit(options.server, all, progressOnTerminal());
+    } catch (...) {  // what was accepted is told in any case
+      printJson(sent(options, all, commitments));
+      throw;
+    }
+  }
+  const Json json = sent(options, all, commitments);
+  printJson(json);
+  if (!tellMissing(options, json, "accepted", "were not accepted")) return false;
+  return !options.commits || tellMissing(options, json, "committed", "are not confirmed to be kept");
 }
 
 }  // namespace
@@ -238,6 +306,7 @@ void addArchiveOptions(app::Command command, ArchiveOptions& options) {
   addKeys(command, options);
   addConversation(command, options);
   addTls(command, options);
+  addCommitment(command, options);
   command.group("Options");
   command
       .addValue("-o,--output", options.output,
@@ -262,15 +331,7 @@ bool archive(const ArchiveOptions& options) {
     case Action::Send:
       break;
   }
-  const Json json = sent(options);
-  printJson(json);
-  const std::size_t left = json["objects"].size() - json["accepted"].get<std::size_t>();
-  if (left == 0) return true;
-  std::cerr << oneLine("fenestra-cli: " + nameOf(options) + ": " + std::to_string(left) + " of " +
-                       std::to_string(json["objects"].size()) +
-                       " objects were not accepted; standard output says why for each")
-            << '\n';
-  return false;
+  return send(options);
 }
 
 }  // namespace fenestra::cli

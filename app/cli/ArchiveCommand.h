@@ -21,11 +21,12 @@ struct ArchiveOptions {
   io::archive::Query query;
   std::vector<std::string> files;  ///< to send
   std::filesystem::path output, cache;
+  bool commits = false;          ///< asks whether the server keeps what was sent
   std::filesystem::path secret;  ///< file of the password or token for `web`
 };
 
 void addArchiveOptions(app::Command command, ArchiveOptions& options);
-/// Prints what the archive answered as JSON; false where objects to send were not accepted.
+/// Prints what the archive answered as JSON; false where objects to send were not accepted, or are not kept.
 bool archive(const ArchiveOptions& options);
 
 }  // namespace fenestra::cli

@@ -178,6 +178,25 @@ std::unique_ptr<DcmDataset> Association::receiveData(T_ASC_PresentationContextID
   return owned;
 }
 
+bool Association::hasMessage() const { return association_ && ASC_dataWaiting(association_, 0); }
+
+std::optional<T_DIMSE_Message> Association::receiveUnlessEnded(T_ASC_PresentationContextID& context,
+                                                               const std::string& doing) {
+  T_DIMSE_Message message{};
+  DcmDataset* detail = nullptr;
+  watch().beginMessage(1u << 20);
+  const OFCondition result = DIMSE_receiveCommand(association_, DIMSE_BLOCKING, 0, &context, &message, &detail);
+  delete detail;
+  if (watch().end() != Watch::End::None) check(result, doing);
+  if (result.good()) return message;
+  if (result == DUL_PEERREQUESTEDRELEASE)
+    ASC_acknowledgeRelease(association_);
+  else if (result != DUL_PEERABORTEDASSOCIATION)
+    ASC_abortAssociation(association_);
+  drop();
+  return std::nullopt;
+}
+
 void Association::release() {
   if (!association_) return;
   ASC_releaseAssociation(association_);

@@ -3,6 +3,7 @@
 // files alone.
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -52,6 +53,11 @@ class Association {
   T_DIMSE_Message receive(T_ASC_PresentationContextID& context, const std::string& doing);
   /// The data set that follows a command. Throws as check.
   std::unique_ptr<DcmDataset> receiveData(T_ASC_PresentationContextID context, const std::string& doing);
+
+  /// Whether receive() has something to read at once.
+  bool hasMessage() const;
+  /// As receive; empty where the server has ended the association, which is closed then.
+  std::optional<T_DIMSE_Message> receiveUnlessEnded(T_ASC_PresentationContextID& context, const std::string& doing);
 
   void release();
 

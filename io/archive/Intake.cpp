@@ -5,6 +5,8 @@
 #include <system_error>
 
 #include <dcmtk/dcmdata/dcostrmf.h>
+#include <dcmtk/dcmnet/cond.h>
+#include <dcmtk/dcmnet/dul.h>
 
 #include "io/base/Error.h"
 #include "io/dicom/Dataset.h"
@@ -13,6 +15,27 @@
 namespace fenestra::io::archive {
 
 namespace fs = std::filesystem;
+
+namespace {
+
+/// Calls `take` with each fragment of the data set that follows a command, to its end whatever becomes of them. DCMTK's
+/// own DIMSE_receiveDataSetInFile waits for more than there is once a disk is full.
+template <class Take>
+OFCondition eachFragment(T_ASC_Association* association, T_ASC_PresentationContextID context, const Take& take) {
+  for (;;) {
+    DUL_PDV fragment{};
+    if (DUL_NextPDV(&association->DULassociation, &fragment).bad()) {
+      const OFCondition read = DUL_ReadPDVs(&association->DULassociation, nullptr, DUL_BLOCK, 0);
+      if (read != DUL_PDATAPDUARRIVED) return read.bad() ? read : DIMSE_READPDVFAILED;
+      if (const OFCondition next = DUL_NextPDV(&association->DULassociation, &fragment); next.bad()) return next;
+    }
+    if (fragment.presentationContextID != context || fragment.pdvType != DUL_DATASETPDV) return DIMSE_UNEXPECTEDPDVTYPE;
+    take(fragment);
+    if (fragment.lastPDV) return EC_Normal;
+  }
+}
+
+}  // namespace
 
 void Intake::expect(const Wanted& wanted, Wanted missing, std::optional<std::size_t> total) {
   const std::lock_guard lock(mutex_);
@@ -73,13 +96,31 @@ void Intake::take(const fs::path& file) {
 }
 
 OFCondition Intake::readInto(const fs::path& file, T_ASC_Association* association, T_ASC_PresentationContextID context,
-                             const T_DIMSE_C_StoreRQ& request) {
+                             const T_DIMSE_C_StoreRQ& request, bool& isWritten) {
   DcmOutputFileStream* made = nullptr;
   const OFCondition opened = DIMSE_createFilestream(file.c_str(), &request, association, context, 1, &made);
-  const std::unique_ptr<DcmOutputFileStream> stream(made);
+  std::unique_ptr<DcmOutputFileStream> stream(made);
+  isWritten = opened.good();
   if (opened.bad()) return opened;
-  const auto note = [](void* activity, unsigned long) { static_cast<Activity*>(activity)->note(); };
-  return DIMSE_receiveDataSetInFile(association, DIMSE_BLOCKING, 0, &context, stream.get(), note, &activity_);
+  const OFCondition result = eachFragment(association, context, [&](const DUL_PDV& fragment) {
+    activity_.note();
+    if (stream->good()) stream->write(fragment.data, static_cast<offile_off_t>(fragment.fragmentLength));
+  });
+  const bool isGood = stream->good();
+  const auto bytes = static_cast<std::uintmax_t>(stream->tell());
+  stream.reset();  // which writes what the stream has held back, and says nothing where it cannot
+  std::error_code unknown;
+  isWritten = isGood && fs::file_size(file, unknown) == bytes;
+  return result;
+}
+
+void Intake::noteUnwritten() {
+  std::error_code unknown;
+  constexpr std::uintmax_t nothing = 1u << 20;  // of a disk that another writer has left some room meanwhile
+  const bool isOut = fs::space(part_, unknown).available < nothing && !unknown;
+  const std::lock_guard lock(mutex_);
+  failure_ = isOut ? "the disk of " + cache_.root().string() + " is full"
+                   : "objects cannot be written to " + cache_.root().string();
 }
 
 DIC_US Intake::keep(const fs::path& file, const std::string& object) {
@@ -115,8 +156,12 @@ OFCondition Intake::receive(T_ASC_Association* association, T_ASC_PresentationCo
   OFCondition result = EC_Normal;
   if (status == STATUS_Success) {
     const fs::path file = newFile();
-    result = readInto(file, association, context, request);
-    if (result.good()) status = keep(file, request.AffectedSOPInstanceUID);
+    bool isWritten = false;
+    result = readInto(file, association, context, request, isWritten);
+    // A connection that breaks leaves a part of an object, too, but that one is written.
+    if (!isWritten) noteUnwritten();
+    status = STATUS_STORE_Refused_OutOfResources;
+    if (result.good() && isWritten) status = keep(file, request.AffectedSOPInstanceUID);
     std::error_code ignored;
     fs::remove(file, ignored);
   } else {

@@ -53,8 +53,10 @@ class Intake {
   DIC_US keep(const std::filesystem::path& file, const std::string& object);
   bool isFull();
   void tell(const std::string& object, const std::filesystem::path& file);
+  /// The object that follows as a file. `isWritten`: the disk holds all that came of it.
   OFCondition readInto(const std::filesystem::path& file, T_ASC_Association* association,
-                       T_ASC_PresentationContextID context, const T_DIMSE_C_StoreRQ& request);
+                       T_ASC_PresentationContextID context, const T_DIMSE_C_StoreRQ& request, bool& isWritten);
+  void noteUnwritten();
 
   const Cache& cache_;
   const Limits& limits_;

@@ -20,9 +20,7 @@ constexpr const char* studyModel = UID_FINDStudyRootQueryRetrieveInformationMode
 class Search {
  public:
   Search(const Server& server, Task& task)
-      : server_(server),
-        task_(task),
-        association_(server, {{patientModel, plainSyntaxes()}, {studyModel, plainSyntaxes()}}, task) {}
+      : server_(server), association_(server, {{patientModel, plainSyntaxes()}, {studyModel, plainSyntaxes()}}, task) {}
 
   Answers run(const Query& query) {
     answers_.records = descend(query, [this](Level level, const Attributes& keys) { return ask(level, keys); });
@@ -86,7 +84,6 @@ class Search {
   }
 
   const Server& server_;
-  Task& task_;
   Association association_;
   Answers answers_;
 };

@@ -131,9 +131,14 @@ class Transfer {
     }
   }
 
-  [[noreturn]] void refuseIncomplete(std::size_t count) {
+  /// Throws where the reason is on our side.
+  void refuseUnwritten() {
     if (const std::string failure = intake_.failure(); !failure.empty())
       refuse(server_, failure, "make room, and try again; what came is kept");
+  }
+
+  [[noreturn]] void refuseIncomplete(std::size_t count) {
+    refuseUnwritten();
     refuse(server_,
            std::to_string(count - intake_.received()) + " of " + std::to_string(count) +
                " objects of a series did not come",
@@ -172,8 +177,10 @@ class Transfer {
     const std::string doing = "retrieving a series";
     T_DIMSE_Message message = association_->receive(context, doing);
     if (message.CommandField == DIMSE_C_STORE_RQ && retrieval_.way == Way::Get) {
-      association_->check(intake_.receive(association_->get(), context, message.msg.CStoreRQ, association_->watch()),
-                          doing);
+      const OFCondition result =
+          intake_.receive(association_->get(), context, message.msg.CStoreRQ, association_->watch());
+      if (result.bad()) refuseUnwritten();
+      association_->check(result, doing);
       return STATUS_GET_Pending_SubOperationsAreContinuing;
     }
     if (message.CommandField == DIMSE_C_GET_RSP) return statusOf(message.msg.CGetRSP, context);

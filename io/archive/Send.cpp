@@ -53,6 +53,7 @@ Sent sendOne(Association& association, const Outgoing& outgoing) {
   Sent sent;
   sent.file = outgoing.file;
   sent.object = outgoing.object;
+  sent.objectClass = outgoing.objectClass;
   const auto context = association.contextOf(outgoing.objectClass, outgoing.syntax);
   if (context == 0) {
     sent.text = "the server does not take this class of objects";

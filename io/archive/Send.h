@@ -13,7 +13,8 @@ namespace fenestra::io::archive {
 /// What became of one file.
 struct Sent {
   std::filesystem::path file;
-  std::string object;  ///< its SOP Instance UID
+  std::string object;            ///< its SOP Instance UID
+  std::string objectClass = {};  ///< its SOP Class UID; empty after DICOMweb
   bool accepted = false;
   unsigned status = 0;  ///< of C-STORE, or of HTTP; 0 where nothing was asked
   std::string text;     ///< why it was not accepted, or a warning of the server; empty: neither

@@ -33,16 +33,19 @@ struct Limits {
   std::size_t associations = 4;                    ///< at a time, with our provider
   std::size_t waitingConnections = 16;             ///< that have not yet said who they are
   std::chrono::milliseconds introduction{10'000};  ///< in which a connection must say who it is
+  std::chrono::milliseconds commitment{300'000};   ///< until a server says whether it keeps what it was sent
 };
 
 /// A DICOM application entity (PS3.8).
 struct Server {
   std::string host;
   int port = 104;
-  std::string title;                    ///< its AE title, the called one
-  std::string ownTitle = "FENESTRA";    ///< ours, the calling one, and where C-MOVE sends to
-  std::string interface = "127.0.0.1";  ///< address of ours that C-MOVE's objects are received on
-  int ownPort = 0;                      ///< and port; 0: none is set, so that C-MOVE is impossible
+  std::string title;                  ///< its AE title, the called one
+  std::string ownTitle = "FENESTRA";  ///< ours, the calling one, and where C-MOVE sends to
+  /// Address and port of ours that C-MOVE's objects and storage commitments are received on. Port 0: none is set, so
+  /// that C-MOVE is impossible, and a commitment must come over our own connection.
+  std::string interface = "127.0.0.1";
+  int ownPort = 0;
   std::optional<TlsFiles> tls;
   /// Specific Character Set (PS3.3 C.12.1.1.2) of queries that ASCII cannot say; empty: UTF-8, and where it finds
   /// nothing the sets of single bytes that can say it, because some servers compare bytes.

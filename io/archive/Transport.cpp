@@ -66,7 +66,9 @@ class WatchedConnection : public DcmTransportConnection {
     return inner_->getPeerCertificate(buffer, size);
   }
   /// DCMTK's own limits on time are whole seconds of all data; ours is on silence.
-  OFBool networkDataAvailable(int) override { return ready(); }
+  OFBool networkDataAvailable(int seconds) override {
+    return seconds == 0 ? inner_->networkDataAvailable(0) : ready();  // 0: a question that does not wait
+  }
   OFBool isTransparentConnection() override { return OFFalse; }
   OFString& dumpConnectionParameters(OFString& text) override { return inner_->dumpConnectionParameters(text); }
 

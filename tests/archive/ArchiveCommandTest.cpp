@@ -36,6 +36,15 @@ TEST_F(ArchiveCommand, SendsFindsAndRetrievesAFolderThatOtherCommandsOpen) {
   EXPECT_EQ(sent.exitCode, 0) << sent.error;
   EXPECT_EQ(sent.json()["accepted"], 15);
   EXPECT_EQ(sent.json()["objects"].size(), 15u);
+  EXPECT_FALSE(sent.json().contains("committed")) << "that was not asked";
+
+  const Result unkept = run({"archive", "send", server, studies[0].folder.string(), "--commit"});
+  EXPECT_EQ(unkept.exitCode, 1);
+  EXPECT_EQ(unkept.json()["accepted"], 3) << "what came through is told in any case";
+  EXPECT_EQ(unkept.json()["committed"], 0);
+  EXPECT_TRUE(unkept.json()["objects"][0]["committed"].is_null());
+  EXPECT_NE(unkept.error.find("does not offer storage commitment"), std::string::npos) << unkept.error;
+  EXPECT_EQ(std::count(unkept.error.begin(), unkept.error.end(), '\n'), 1) << unkept.error;
 
   const Result found = run({"archive", "find", server, "--key", "PatientName=Müller*"});
   ASSERT_EQ(found.exitCode, 0) << found.error;
@@ -94,9 +103,12 @@ TEST_F(ArchiveCommand, ResultsComeBackIdentical) {
     const Result made = run(words);
     ASSERT_EQ(made.exitCode, 0) << made.error;
   }
-  const Result sent = run({"archive", "send", server, at("results")});
+  const std::string port = std::to_string(running->server.ownPort);
+  const Result sent = run({"archive", "send", server, at("results"), "--commit", "--port", port});
   EXPECT_EQ(sent.exitCode, 0) << sent.error;
   EXPECT_EQ(sent.json()["accepted"], 4) << sent.out;
+  EXPECT_EQ(sent.json()["committed"], 4) << sent.out;
+  for (const Json& object : sent.json()["objects"]) EXPECT_EQ(object["committed"], true) << object;
   const Result got = run(
       {"archive", "get", server, "--key", "StudyInstanceUID=" + study.uid, "-o", at("out"), "--cache", at("cache")});
   ASSERT_EQ(got.exitCode, 0) << got.error;
@@ -147,6 +159,9 @@ TEST_F(ArchiveCommand, FailsWithOneLineAndKnowsWrongUsage) {
       {"archive", "get", nobody, "--key", "PatientID=1"},
       {"archive", "move", nobody, "--key", "StudyInstanceUID=1"},
       {"archive", "send", nobody},
+      {"archive", "echo", nobody, "--commit"},
+      {"archive", "send", nobody, at("file"), "--wait", "5"},
+      {"archive", "send", "https://host/dicom-web", at("file"), "--commit"},
       {"archive", "echo", nobody, at("file")},
       {"archive", "echo", nobody, "--secret", at("file")},
       {"archive", "echo", "https://user:word@host/dicom-web"},

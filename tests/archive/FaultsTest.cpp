@@ -2,6 +2,7 @@
 // for again.
 
 #include <poll.h>
+#include <sys/mount.h>
 #include <sys/socket.h>
 #include <unistd.h>
 #include <atomic>
@@ -280,6 +281,35 @@ TEST(ArchiveCache, DropsWhatWasUsedLongestAgoAndNothingElse) {
   EXPECT_EQ(cache.bytes(), 1000u) << "what is retrieved now stays";
   cache.clear();
   EXPECT_EQ(cache.bytes(), 0u);
+}
+
+TEST_F(ArchiveFaults, ADiskThatFillsUpMeanwhileIsSaidToBeFull) {
+  for (const archive::Way way : {archive::Way::Get, archive::Way::Move}) {
+    SCOPED_TRACE(way == archive::Way::Get ? "C-GET" : "C-MOVE");
+    const fs::path folder = study_.folder.parent_path().parent_path() / "small";
+    fs::create_directories(folder);
+    if (mount("none", folder.c_str(), "tmpfs", 0, "size=64k") != 0) GTEST_SKIP() << "needs the right to mount a disk";
+    archive::Server server = running_->server;
+    server.limits.silence = std::chrono::seconds(5);
+    server.limits.freeDiskBytes = 0;  // so that the disk is found to be full by the writing alone
+    std::string error;
+    std::size_t held = 0;
+    {
+      const archive::Cache cache(folder / "cache");
+      error = errorOf([&] { archive::retrieve(server, {study_.uid, study_.series, way}, cache); });
+      held = cache.held(study_.uid, study_.series).size();
+      EXPECT_FALSE(fs::exists(cache.folderOf(study_.uid, study_.series))) << "half a series is no series";
+      const auto sent = objectsIn(study_.folder);
+      for (const auto& [object, bytes] : objectsIn(folder))
+        EXPECT_TRUE(bytes == sent.at(object)) << "half of " << object;
+      for (const auto& each : fs::recursive_directory_iterator(folder))
+        EXPECT_EQ(each.path().filename().string().find("incoming"), std::string::npos) << each.path();
+    }
+    EXPECT_EQ(umount(folder.c_str()), 0);
+    EXPECT_NE(error.find("is full"), std::string::npos) << error;
+    EXPECT_GT(held, 0u) << "what came before is kept";
+    EXPECT_LT(held, 12u);
+  }
 }
 
 }  // namespace fenestra::tests::archiveFaultsTest

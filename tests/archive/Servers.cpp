@@ -197,6 +197,40 @@ std::unique_ptr<RunningServer> startOrthanc(const fs::path& folder, const Certif
   return started(std::move(running), {"Orthanc", (folder / "config.json").string()}, folder);
 }
 
+Answering::Answering(AnswerTo answerTo) : answerTo_(std::move(answerTo)), socket_(listeningSocket(port_)) {
+  thread_ = std::thread([this] {
+    while (!stops_) {
+      pollfd waited{socket_, POLLIN, 0};
+      if (poll(&waited, 1, 10) <= 0) continue;
+      const int client = accept(socket_, nullptr, nullptr);
+      std::string request(4096, '\0');
+      const ssize_t got = recv(client, request.data(), request.size(), 0);
+      if (got > 0) {
+        request.resize(static_cast<std::size_t>(got));
+        const std::string answer = answerTo_(request);
+        send(client, answer.data(), answer.size(), MSG_NOSIGNAL);
+      }
+      shutdown(client, SHUT_WR);
+      close(client);
+    }
+  });
+}
+
+Answering::~Answering() {
+  stops_ = true;
+  thread_.join();
+  close(socket_);
+}
+
+io::archive::WebServer Answering::server() const {
+  return io::archive::parseWebServer("http://127.0.0.1:" + std::to_string(port_) + "/dicom-web").value();
+}
+
+std::string answerOf(const std::string& status, const std::string& type, const std::string& body) {
+  return "HTTP/1.1 " + status + "\r\nContent-Type: " + type + "\r\nContent-Length: " + std::to_string(body.size()) +
+         "\r\n\r\n" + body;
+}
+
 Proxy::Proxy(int serverPort, Fault fault) : serverPort_(serverPort), fault_(fault) {
   listening_ = listeningSocket(port_);
   thread_ = std::thread([this] { run(); });

@@ -15,6 +15,7 @@
 #include <gtest/gtest.h>
 
 #include "io/archive/Server.h"
+#include "io/archive/WebServer.h"
 
 namespace fenestra::tests {
 
@@ -83,6 +84,23 @@ class Proxy {
   std::vector<std::thread> threads_;
   std::thread thread_;
 };
+
+/// A web server that answers each request by a function of it, and closes the connection.
+class Answering {
+ public:
+  using AnswerTo = std::function<std::string(const std::string& request)>;
+  explicit Answering(AnswerTo answerTo);
+  ~Answering();
+  io::archive::WebServer server() const;
+
+ private:
+  AnswerTo answerTo_;
+  int port_ = 0, socket_ = -1;
+  std::atomic<bool> stops_ = false;
+  std::thread thread_;
+};
+/// The bytes of an answer of HTTP.
+std::string answerOf(const std::string& status, const std::string& type, const std::string& body);
 
 /// A socket that listens on a free port of 127.0.0.1, which `port` becomes.
 int listeningSocket(int& port);

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "io/archive/Commitment.h"
 #include "io/archive/Query.h"
 #include "io/archive/Retrieve.h"
 #include "io/archive/Send.h"
@@ -25,8 +26,10 @@ TEST(ArchiveTls, TransfersBothWaysAndRefusesStrangers) {
   const archive::Server& server = running->server;
   EXPECT_TRUE(server.name().starts_with("dicoms://"));
   const MadeStudy study = makeStudy(folder, "1.2.3.80", 2);
-  for (const archive::Sent& each : archive::send(server, archive::filesToSend({study.folder})))
-    EXPECT_TRUE(each.accepted) << each.text;
+  const std::vector<archive::Sent> sent = archive::send(server, archive::filesToSend({study.folder}));
+  for (const archive::Sent& each : sent) EXPECT_TRUE(each.accepted) << each.text;
+  for (const auto& [object, said] : archive::commit(server, sent))
+    EXPECT_EQ(said.verdict, archive::Commitment::Verdict::Kept) << said.text;
   for (const archive::Way way : {archive::Way::Get, archive::Way::Move}) {
     SCOPED_TRACE(way == archive::Way::Get ? "C-GET" : "C-MOVE");
     const archive::Cache cache(folder / (way == archive::Way::Get ? "got" : "moved"));

@@ -1,20 +1,15 @@
 // DICOMweb: Orthanc's plug-in holds, finds and returns studies; broken, hostile and wrongly addressed answers give one
 // sentence each. The forms of messages, piece by piece.
 
-#include <netinet/in.h>
-#include <poll.h>
-#include <sys/socket.h>
 #include <unistd.h>
-#include <atomic>
-#include <functional>
 #include <set>
-#include <thread>
 
 #include <gtest/gtest.h>
 
 #include "io/archive/Multipart.h"
 #include "io/archive/WebAnswers.h"
 #include "io/archive/WebArchive.h"
+#include "io/archive/WebPicture.h"
 #include "io/archive/Wildcards.h"
 #include "tests/archive/MadeStudies.h"
 #include "tests/archive/Servers.h"
@@ -38,50 +33,6 @@ std::set<std::string> webFinds(const archive::WebServer& server, const archive::
   for (const archive::Attributes& record : archive::find(server, {archive::Level::Study, keys}).records)
     found.insert(archive::valueOf(record, "StudyInstanceUID"));
   return found;
-}
-
-/// Answers each request, and closes the connection.
-class Answering {
- public:
-  using AnswerTo = std::function<std::string(const std::string& request)>;
-
-  explicit Answering(AnswerTo answerTo) : answerTo_(std::move(answerTo)) {
-    thread_ = std::thread([this] {
-      while (!stops_) {
-        pollfd waited{socket_, POLLIN, 0};
-        if (poll(&waited, 1, 10) <= 0) continue;
-        const int client = accept(socket_, nullptr, nullptr);
-        std::string request(4096, '\0');
-        const ssize_t got = recv(client, request.data(), request.size(), 0);
-        if (got > 0) {
-          request.resize(static_cast<std::size_t>(got));
-          const std::string answer = answerTo_(request);
-          send(client, answer.data(), answer.size(), MSG_NOSIGNAL);
-        }
-        shutdown(client, SHUT_WR);
-        close(client);
-      }
-    });
-  }
-  ~Answering() {
-    stops_ = true;
-    thread_.join();
-    close(socket_);
-  }
-  archive::WebServer server() const {
-    return archive::parseWebServer("http://127.0.0.1:" + std::to_string(port_) + "/dicom-web").value();
-  }
-
- private:
-  AnswerTo answerTo_;
-  int port_ = 0, socket_ = listeningSocket(port_);
-  std::atomic<bool> stops_ = false;
-  std::thread thread_;
-};
-
-std::string answerOf(const std::string& status, const std::string& type, const std::string& body) {
-  return "HTTP/1.1 " + status + "\r\nContent-Type: " + type + "\r\nContent-Length: " + std::to_string(body.size()) +
-         "\r\n\r\n" + body;
 }
 
 /// The answer to a search: objects of one series of a study "1.2", each with a UID of its own.
@@ -169,6 +120,11 @@ TEST(ArchiveWeb, OrthancHoldsFindsAndReturnsFiveStudies) {
   ASSERT_EQ(headers.size(), 3u);
   EXPECT_EQ(archive::valueOf(headers[0], "PatientName"), studies[1].name);
   EXPECT_EQ(archive::valueOf(headers[0], "Rows"), "64");
+
+  const auto picture = archive::pictureOf(server, studies[1].uid, studies[1].series, 3, 64);
+  ASSERT_TRUE(picture);
+  EXPECT_TRUE(picture->bytes.starts_with("\xff\xd8\xff"));
+  EXPECT_FALSE(archive::pictureOf(server, studies[1].uid, "1.2.3.4.5", 3, 64)) << "a series that is not there";
 
   archive::WebServer stranger = server;
   stranger.secret = archive::Secret("wrong");
@@ -281,6 +237,50 @@ TEST(ArchiveWebAnswers, FillNeitherMemoryNorDisk) {
   };
   EXPECT_NE(errorOfRetrieving(message(9'000), limits).find("more than an object may hold"), std::string::npos);
   EXPECT_NE(errorOfRetrieving(message(7'000), limits).find("did not come"), std::string::npos);
+}
+
+TEST(ArchiveWebPictures, AreOfTheMiddleObjectOrNone) {
+  const std::string png = "\x89PNG\r\n\x1a\n and so on", jpeg = "\xff\xd8\xff and so on";
+  std::vector<std::string> asked;
+  std::string rendered, thumbnail;
+  const Answering answering([&](const std::string& request) {
+    asked.push_back(request.substr(0, request.find(" HTTP")));
+    if (request.find("/rendered?") != std::string::npos) return rendered;
+    if (request.find("/thumbnail?") != std::string::npos) return thumbnail;
+    // A server that matches by no number.
+    return request.find("InstanceNumber=") != std::string::npos ? answerOf("204 No Content", "", "")
+                                                                : answerWithObjects(1);
+  });
+  const std::string none = answerOf("404 Not Found", "text/plain", "");
+  const auto got = [&](const std::string& first, const std::string& second) {
+    asked.clear();
+    rendered = first;
+    thumbnail = second;
+    const auto picture = archive::pictureOf(answering.server(), "1.2", "1.2.3", 41, 32);
+    return picture ? picture->bytes : "none";
+  };
+  EXPECT_EQ(got(answerOf("200 OK", "image/png", png), none), png);
+  ASSERT_EQ(asked.size(), 3u);
+  EXPECT_NE(asked[0].find("/studies/1.2/series/1.2.3/instances?limit=1&InstanceNumber=21&"), std::string::npos);
+  EXPECT_NE(asked[1].find("&offset=20&"), std::string::npos);
+  EXPECT_NE(asked[2].find("/instances/1.2.3.0/rendered?viewport=32,32"), std::string::npos);
+  EXPECT_EQ(got(none, answerOf("200 OK", "image/jpeg", jpeg)), jpeg);
+  EXPECT_EQ(got(none, none), "none");
+  EXPECT_EQ(got(answerOf("200 OK", "image/svg+xml", "<svg/>"), answerOf("200 OK", "video/mp4", "x")), "none");
+  rendered = answerOf("200 OK", "image/png", png + std::string(20u << 20, 'x'));
+  EXPECT_NE(errorOf([&] { archive::pictureOf(answering.server(), "1.2", "1.2.3", 41, 32); }), "") << "20 MB";
+  rendered = answerOf("401 Unauthorized", "", "");
+  EXPECT_THROW(archive::pictureOf(answering.server(), "1.2", "1.2.3", 41, 32), archive::LoginRefused);
+}
+
+TEST(ArchiveWebPictures, CouldShowNamesUnlessAScannerMadeThem) {
+  const std::string ct = "1.2.840.10008.5.1.4.1.1.2", us = "1.2.840.10008.5.1.4.1.1.6.1";
+  EXPECT_FALSE(archive::couldShowNames("", ct, "ORIGINAL\\PRIMARY\\AXIAL"));
+  EXPECT_FALSE(archive::couldShowNames("NO", us, ""));
+  EXPECT_TRUE(archive::couldShowNames("YES", ct, "ORIGINAL\\PRIMARY\\AXIAL"));
+  EXPECT_TRUE(archive::couldShowNames("", ct, "DERIVED\\SECONDARY\\OTHER")) << "a report of doses";
+  EXPECT_TRUE(archive::couldShowNames("", ct, "")) << "of a server that does not say";
+  EXPECT_TRUE(archive::couldShowNames("", us, "ORIGINAL\\PRIMARY"));
 }
 
 TEST(ArchiveWebAnswers, ComeOnceFromAServerWithoutPages) {

@@ -6,6 +6,7 @@
 
 #include "tests/fuzz/Targets.h"
 #include "tests/io/IoTesting.h"
+#include "tests/support/TestData.h"
 
 namespace fenestra::fuzz {
 namespace fs = std::filesystem;
@@ -31,6 +32,20 @@ TEST_P(Replay, FindingsStayMended) {
     const std::string bytes = tests::readFile(entry.path());
     SCOPED_TRACE(entry.path().filename());
     EXPECT_NO_THROW(run(GetParam(), std::as_bytes(std::span(bytes))));
+  }
+}
+
+/// Otherwise what is fuzzed would be a refusal.
+TEST(ReplayProvider, TakesTheObjectsOfItsSeeds) {
+  const Target& target = targetNamed("provider");
+  const fs::path folder = tests::scratchFolder();
+  for (const std::string& seed : seedsOf(target)) {
+    tests::writeFile(folder / target.file, seed);
+    target.open(folder / target.file);
+    std::size_t files = 0;
+    for (const auto& each : fs::recursive_directory_iterator(folder / "received"))
+      files += each.path().extension() == ".dcm" ? 1 : 0;
+    EXPECT_EQ(files, 1u);
   }
 }
 

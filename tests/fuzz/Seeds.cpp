@@ -191,6 +191,71 @@ std::vector<std::string> webMultipartSeeds() {
   return {"\xff" + type + message, "\x02" + type + message};
 }
 
+std::string bigEndian(std::size_t value, int bytes) {
+  std::string text;
+  for (int shift = 8 * (bytes - 1); shift >= 0; shift -= 8) text += static_cast<char>(value >> shift & 0xff);
+  return text;
+}
+std::string littleEndian(std::size_t value, int bytes) {
+  std::string text = bigEndian(value, bytes);
+  std::ranges::reverse(text);
+  return text;
+}
+
+/// An item of an association's request (PS3.8 9.3.2), and a PDU (9.3.1).
+std::string associationItem(char type, const std::string& bytes) {
+  return std::string{type, '\0'} + bigEndian(bytes.size(), 2) + bytes;
+}
+std::string pdu(char type, const std::string& bytes) {
+  return std::string{type, '\0'} + bigEndian(bytes.size(), 4) + bytes;
+}
+
+std::string associationRequest() {
+  const auto title = [](std::string text) { return text + std::string(16 - text.size(), ' '); };
+  const std::string context = std::string("\x01\0\0\0", 4) + associationItem(0x30, "1.2.840.10008.5.1.4.1.1.2") +
+                              associationItem(0x40, "1.2.840.10008.1.2");
+  const std::string user =
+      associationItem(0x51, bigEndian(16384, 4)) + associationItem(0x52, "1.2.276.0.7230010.3.0.3.6.7");
+  return pdu(1, bigEndian(0x10000, 4) + title("FENESTRA") + title("ARCHIVE") + std::string(32, '\0') +
+                    associationItem(0x10, "1.2.840.10008.3.1.1.1") + associationItem(0x20, context) +
+                    associationItem(0x50, user));
+}
+
+/// A data element in implicit little endian (PS3.5 7.1.3), padded to an even length.
+std::string implicitElement(int group, int element, std::string value) {
+  if (value.size() % 2 == 1) value += '\0';
+  return littleEndian(static_cast<std::size_t>(group), 2) + littleEndian(static_cast<std::size_t>(element), 2) +
+         littleEndian(value.size(), 4) + value;
+}
+
+/// A storage of the object that the target `provider` waits for, after the association that it belongs to, and the
+/// release; and the same in fragments of ten bytes.
+std::vector<std::string> providerSeeds() {
+  const std::string ct = "1.2.840.10008.5.1.4.1.1.2", object = "1.2.3.4.5";
+  const std::string fields = implicitElement(0, 0x0002, ct) + implicitElement(0, 0x0100, littleEndian(1, 2)) +
+                             implicitElement(0, 0x0110, littleEndian(1, 2)) +
+                             implicitElement(0, 0x0700, littleEndian(0, 2)) +
+                             implicitElement(0, 0x0800, littleEndian(0, 2)) + implicitElement(0, 0x1000, object);
+  const std::string command = implicitElement(0, 0, littleEndian(fields.size(), 4)) + fields;
+  const std::string data = implicitElement(8, 0x16, ct) + implicitElement(8, 0x18, object) +
+                           implicitElement(0x20, 0x0d, "1.2.3") + implicitElement(0x20, 0x0e, "1.2.3.4") +
+                           implicitElement(0x28, 0x10, littleEndian(2, 2)) + implicitElement(0x7fe0, 0x10, "pixels");
+  const auto sent = [](const std::string& bytes, char kind, std::size_t most) {
+    std::string pdus;
+    for (std::size_t at = 0; at < bytes.size(); at += most) {
+      const std::string piece = bytes.substr(at, most);
+      const char control = static_cast<char>(kind | (at + most >= bytes.size() ? 2 : 0));  // the last one (PS3.8 E.2)
+      pdus += pdu(4, bigEndian(piece.size() + 2, 4) + std::string{'\1', control} + piece);
+    }
+    return pdus;
+  };
+  const std::string release = pdu(5, std::string(4, '\0'));
+  std::vector<std::string> seeds;
+  for (const std::size_t most : {std::size_t{4096}, std::size_t{10}})
+    seeds.push_back(associationRequest() + sent(command, 1, most) + sent(data, 0, most) + release);
+  return seeds;
+}
+
 }  // namespace
 
 std::vector<std::string> seedsOf(const Target& target) {
@@ -209,6 +274,7 @@ std::vector<std::string> seedsOf(const Target& target) {
   if (target.name == "labels") return labelSeeds(folder);
   if (target.name == "web-json") return webJsonSeeds();
   if (target.name == "web-multipart") return webMultipartSeeds();
+  if (target.name == "provider") return providerSeeds();
   if (target.name == "session") return {io::textOf(tests::fullSession(folder), folder / "a.fenestra")};
   if (target.name == "look") {
     io::writeLook(folder / "a.json", {"x",

@@ -1,12 +1,16 @@
 #include "tests/fuzz/Targets.h"
 
+#include <sys/socket.h>
 #include <unistd.h>
 #include <algorithm>
 #include <array>
+#include <atomic>
+#include <chrono>
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
 #include <stdexcept>
+#include <thread>
 #include <utility>
 
 #include "io/LabelReader.h"
@@ -14,6 +18,7 @@
 #include "io/TransferFunctionFile.h"
 #include "io/VolumeReader.h"
 #include "io/archive/Multipart.h"
+#include "io/archive/StorageProvider.h"
 #include "io/archive/WebAnswers.h"
 #include "io/deidentify/Deidentify.h"
 #include "io/dicom/ByteCodecs.h"
@@ -21,6 +26,7 @@
 #include "io/session/LookFile.h"
 #include "io/session/SessionFile.h"
 #include "io/session/StrokeFile.h"
+#include "tests/archive/Servers.h"
 #include "tests/io/IoTesting.h"
 
 namespace fenestra::fuzz {
@@ -142,6 +148,51 @@ void readWebMultipart(const fs::path& file) {
     throw std::logic_error("a message has other parts when it comes in pieces");
 }
 
+/// A connected pair of sockets of the loopback interface, ours first: DCMTK wants one of the internet.
+std::pair<int, int> connectedSockets() {
+  int port = 0;
+  const int listening = tests::listeningSocket(port), theirs = tests::connectTo(port),
+            ours = accept(listening, nullptr, nullptr);
+  close(listening);
+  return {ours, theirs};
+}
+
+/// What a peer sends to the storage provider while the object of providerSeeds() is waited for. Its objects stay below
+/// "received", so that each run starts with none.
+void receiveAssociation(const fs::path& file) {
+  namespace archive = io::archive;
+  const std::string bytes = tests::readFile(file);
+  const fs::path folder = file.parent_path() / "received";
+  fs::remove_all(folder);
+  archive::Server server;
+  server.title = "ARCHIVE";
+  server.limits.objectBytes = 1u << 20;
+  server.limits.freeDiskBytes = 0;
+  server.limits.introduction = server.limits.silence = std::chrono::seconds(5);
+  const archive::Cache cache(folder);
+  archive::Activity activity;
+  archive::Intake intake(cache, server.limits, activity);
+  const std::string ct = "1.2.840.10008.5.1.4.1.1.2";
+  const archive::Wanted wanted{"1.2.3", "1.2.3.4", {{"1.2.3.4.5", ct}}};
+  intake.expect(wanted, wanted);
+  archive::Reception reception(server, archive::storageService({ct}, intake));
+  const auto [ours, theirs] = connectedSockets();
+  // Beside the reading, because a socket holds only so much.
+  std::thread peer([&bytes, socket = theirs] {
+    for (std::size_t at = 0; at < bytes.size();) {
+      const ssize_t sent = send(socket, bytes.data() + at, bytes.size() - at, MSG_NOSIGNAL);
+      if (sent <= 0) break;
+      at += static_cast<std::size_t>(sent);
+    }
+    shutdown(socket, SHUT_WR);
+  });
+  const std::atomic<bool> stops = false;
+  reception.serve(ours, stops);
+  peer.join();
+  close(theirs);
+  if (intake.received() > 1) throw std::logic_error("an object came in more than once");
+}
+
 constexpr std::array all{Target{"dicom", "input.dcm", openAsVolume},
                          Target{"dicom-series", "input.pack", openDicomSeries},
                          Target{"deidentify", "input.dcm", deidentify},
@@ -161,7 +212,8 @@ constexpr std::array all{Target{"dicom", "input.dcm", openAsVolume},
                          Target{"strokes", "input.json", openStrokes},
                          Target{"transfer-function", "input.json", openTransferFunction},
                          Target{"web-json", "input.json", readWebJson},
-                         Target{"web-multipart", "input.bytes", readWebMultipart}};
+                         Target{"web-multipart", "input.bytes", readWebMultipart},
+                         Target{"provider", "input.association", receiveAssociation}};
 
 /// In memory where the machine has such a folder: a fuzzer writes thousands of files a second.
 class PrivateFolder {

@@ -14,6 +14,8 @@ namespace fenestra::viewer {
 
 void ArchiveWindow::SetUp() {
   useScratchSettings();
+  // The tests' user has no key ring, and that of who runs them is left alone.
+  if (!qEnvironmentVariableIsSet("FENESTRA_KEY_RING")) qputenv("DBUS_SESSION_BUS_ADDRESS", "unix:path=/nowhere");
   root_ = tests::scratchFolder();
   window_ = std::make_unique<MainWindow>(MainWindow::Setup{.gl = gl_, .atRest = Effort{.quality = Quality::Draft}});
   window_->resize(1280, 800);
@@ -94,6 +96,7 @@ ServerEntry entryOf(const tests::RunningServer& running) {
   entry.host = QString::fromStdString(running.server.host);
   entry.port = running.server.port;
   entry.title = QString::fromStdString(running.server.title);
+  if (running.server.ownPort != 0) entry.ownPort = running.server.ownPort;
   return entry;
 }
 

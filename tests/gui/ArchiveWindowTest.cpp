@@ -15,6 +15,7 @@
 #include "tests/gui/ArchiveWindow.h"
 #include "tests/io/IoTesting.h"
 #include "viewer/archive/CacheRow.h"
+#include "viewer/archive/KeyRing.h"
 #include "viewer/files/Sessions.h"
 #include "viewer/model/Paths.h"
 
@@ -102,7 +103,10 @@ TEST_F(ArchiveWindow, NothingOfAPatientOrASecretIsKeptOrShownWhileHidden) {
     ++asked;
     return std::optional(QStringLiteral("secret word"));
   });
-  enter(webEntryOf(*running));
+  // No key ring runs here: what it would have kept must not go anywhere else.
+  ServerEntry kept = webEntryOf(*running);
+  kept.keepsSecret = true;
+  enter(kept);
   in<QLineEdit>(archive(), "patientId")->setText(QStringLiteral("P-1"));
   in<QLineEdit>(archive(), "accession")->setText(QStringLiteral("A100"));
   search(QStringLiteral("Smith"));
@@ -118,6 +122,13 @@ TEST_F(ArchiveWindow, NothingOfAPatientOrASecretIsKeptOrShownWhileHidden) {
   waitFor([&] { return document().hasVolume(); });
   waitUntilDrawn();
   EXPECT_EQ(asked, 1) << "once in a run";
+  auto* problem = in<QLabel>(archive(), "archiveKeyRing");
+  EXPECT_TRUE(problem->isVisible()) << "there is no key ring";
+  EXPECT_TRUE(problem->text().contains(QStringLiteral("key ring"))) << problem->text().toStdString();
+
+  QString refused;
+  writeKeyRing(kept, QStringLiteral("secret word"), window_.get(), [&](const QString& why) { refused = why; });
+  waitFor([&] { return !refused.isEmpty(); });
 
   const QStringList words{QStringLiteral("Smith"), QStringLiteral("Anna"),       QStringLiteral("P-1"),
                           QStringLiteral("A100"),  QStringLiteral("2024-01-05"), QStringLiteral("20240105"),

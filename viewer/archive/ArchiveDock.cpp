@@ -44,6 +44,7 @@ ArchiveDock::~ArchiveDock() {
 Archives& ArchiveDock::archives() {
   if (!archives_) {
     archives_ = std::make_unique<Archives>(workspace_.preferences);
+    archives_->setWindow(&window_);
     archives_->setAskSecret([this](const ServerEntry& entry) { return askForSecret(entry, &window_); });
   }
   return *archives_;

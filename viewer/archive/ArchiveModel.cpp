@@ -128,6 +128,14 @@ void ArchiveModel::forgetFetch(const std::string& study) {
   if (ArchiveNode* of = findStudy(study); of && of->children.empty()) of->isFetched = false;
 }
 
+void ArchiveModel::showPicture(const std::string& series) {
+  for (const auto& patient : root_->children)
+    for (const auto& study : patient->children)
+      for (const auto& each : study->children)
+        if (each->value("SeriesInstanceUID") == series)
+          Q_EMIT dataChanged(indexOf(*each), indexOf(*each), {Qt::DecorationRole});
+}
+
 QModelIndex ArchiveModel::index(int row, int column, const QModelIndex& parent) const {
   const ArchiveNode& of = *node(parent);
   if (row < 0 || column < 0 || column >= ColumnCount || row >= static_cast<int>(of.children.size())) return {};
@@ -208,6 +216,10 @@ QVariant ArchiveModel::data(const QModelIndex& index, int role) const {
   if (!index.isValid()) return {};
   const ArchiveNode& of = *node(index);
   if (role == Qt::ToolTipRole) return toolTipOf(of);
+  if (role == Qt::DecorationRole && index.column() == Name && of.kind == Kind::Series && pictureOf_) {
+    const QPixmap picture = pictureOf_(of, hidesPatient_);
+    return picture.isNull() ? QVariant() : QVariant(picture);
+  }
   if (role == Qt::TextAlignmentRole && index.column() == Images) return int(Qt::AlignRight | Qt::AlignVCenter);
   if (role != Qt::DisplayRole) return {};
   if (index.column() == Name) return nameOf(of, hidesPatient_);

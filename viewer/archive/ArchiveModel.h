@@ -2,11 +2,13 @@
 // What an archive answered, as a tree of patients, their studies and the series of these. Series are fetched when a
 // study is unfolded. While the patient is hidden, no text names one.
 
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
 
 #include <QAbstractItemModel>
+#include <QPixmap>
 
 #include "io/archive/Records.h"
 
@@ -42,6 +44,11 @@ class ArchiveModel : public QAbstractItemModel {
   void setSeries(const std::string& study, std::vector<io::archive::Attributes> series);
   /// They could not be fetched, and are asked for again when the study is unfolded again.
   void forgetFetch(const std::string& study);
+  /// What a series shows before its name; null: no picture and no room for one. Asked whenever it is drawn.
+  using PictureOf = std::function<QPixmap(const ArchiveNode& series, bool hidesPatient)>;
+  void setPictures(PictureOf pictureOf) { pictureOf_ = std::move(pictureOf); }
+  /// Another picture of a series is there.
+  void showPicture(const std::string& series);
   /// Null for the root.
   const ArchiveNode* nodeAt(const QModelIndex& index) const;
   /// What a list calls a study or series, with its patient: for the screen alone, while the patient is not hidden.
@@ -73,6 +80,7 @@ class ArchiveModel : public QAbstractItemModel {
   static QString nameOf(const ArchiveNode& node, bool hidesPatient);
   QString toolTipOf(const ArchiveNode& node) const;
 
+  PictureOf pictureOf_;
   std::shared_ptr<ArchiveNode> root_ = std::make_shared<ArchiveNode>();
   bool hidesPatient_ = false;
 };

@@ -17,6 +17,7 @@
 #include <QVBoxLayout>
 
 #include "viewer/archive/ArchiveModel.h"
+#include "viewer/archive/ArchivePictures.h"
 #include "viewer/archive/Conversation.h"
 #include "viewer/archive/RetrievalList.h"
 #include "viewer/archive/Retrievals.h"
@@ -57,6 +58,7 @@ ArchivePanel::ArchivePanel(Archives& archives, Retrievals& retrievals, QWidget* 
   column->addWidget(off_);
   column->addWidget(form_);
   column->addWidget(status_);
+  column->addWidget(keyRing_);
   column->addWidget(split, 1);
 
   connect(form_, &SearchForm::searchRequested, this, [this] { search(firstAnswers); });
@@ -82,6 +84,7 @@ ArchivePanel::ArchivePanel(Archives& archives, Retrievals& retrievals, QWidget* 
 ArchivePanel::~ArchivePanel() {
   job_.disconnect(this);
   seriesJob_.disconnect(this);
+  pictures_.reset();  // before the tree that it looks at
 }
 
 QWidget* ArchivePanel::makeServerRow() {
@@ -127,6 +130,15 @@ QWidget* ArchivePanel::makeResults() {
   status_->setObjectName(QStringLiteral("archiveStatus"));
   status_->setTextFormat(Qt::PlainText);
   status_->setWordWrap(true);
+  keyRing_ = new QLabel;
+  keyRing_->setObjectName(QStringLiteral("archiveKeyRing"));
+  keyRing_->setTextFormat(Qt::PlainText);
+  keyRing_->setWordWrap(true);
+  keyRing_->hide();
+  connect(&archives_, &Archives::keyRingFailed, this, [this](const QString& problem) {
+    keyRing_->setText(problem);
+    keyRing_->show();
+  });
   model_ = new ArchiveModel(this);
   results_ = new QTreeView;
   results_->setObjectName(QStringLiteral("archiveResults"));
@@ -160,6 +172,8 @@ QWidget* ArchivePanel::makeResults() {
   connect(enter, &QShortcut::activated, this, [this, activate] { activate(results_->currentIndex()); });
   connect(results_->selectionModel(), &QItemSelectionModel::selectionChanged, this, &ArchivePanel::enableButtons);
   connect(model_, &ArchiveModel::modelReset, this, &ArchivePanel::enableButtons);
+
+  pictures_ = std::make_unique<ArchivePictures>(archives_, *results_, *model_);
 
   QHBoxLayout* buttons = makeResultButtons();
   resultsPart_ = new QWidget;
@@ -238,6 +252,11 @@ void ArchivePanel::test() {
   });
 }
 
+void ArchivePanel::setFoundAt(const QString& id) {
+  found_ = id;
+  pictures_->setServer(id);
+}
+
 void ArchivePanel::search(std::size_t most) {
   const ServerEntry* entry = server();
   std::optional<AnyServer> reached = entry ? archives_.reach(*entry) : std::nullopt;
@@ -251,7 +270,7 @@ void ArchivePanel::search(std::size_t most) {
   more_->hide();
   wantedSeries_.clear();
   seriesJob_.cancel();
-  found_ = entry->id;
+  setFoundAt(entry->id);
   model_->setTree(std::make_shared<ArchiveNode>());
   say(tr("Searching…"));
   isSearch_ = true;

@@ -3,6 +3,7 @@
 // network but what the user asks for here; all of it on other threads, with cancel.
 
 #include <deque>
+#include <memory>
 #include <optional>
 
 #include <QWidget>
@@ -21,6 +22,7 @@ class QTreeView;
 namespace fenestra::viewer {
 
 class ArchiveModel;
+class ArchivePictures;
 struct ArchiveNode;
 class RetrievalList;
 class Retrievals;
@@ -41,7 +43,8 @@ class ArchivePanel : public QWidget {
   ArchiveModel& model() { return *model_; }
   QTreeView& results() { return *results_; }
   /// The server that the model's tree is from, by its entry's id.
-  void setFoundAt(const QString& id) { found_ = id; }
+  void setFoundAt(const QString& id);
+  ArchivePictures& pictures() { return *pictures_; }
   /// Shows what a search found, and says what is to be known of it: `count` studies, whether these are all, and whether
   /// the server does not match by some of the keys.
   void showStudies(std::shared_ptr<ArchiveNode> tree, std::size_t count, bool complete, bool ignoresKeys);
@@ -83,13 +86,14 @@ class ArchivePanel : public QWidget {
   QToolButton *test_, *serverMenu_;
   QAction *edit_, *remove_;
   SearchForm* form_;
-  QLabel *off_, *status_;
+  QLabel *off_, *status_, *keyRing_;
   QToolButton* more_;
   QWidget* resultsPart_;
   QTreeView* results_;
   ArchiveModel* model_;
   QPushButton *retrieve_, *open_;
   RetrievalList* list_;
+  std::unique_ptr<ArchivePictures> pictures_;  ///< in the tree
 };
 
 }  // namespace fenestra::viewer

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "io/archive/Cache.h"
+#include "viewer/archive/KeyRing.h"
 #include "viewer/model/Paths.h"
 #include "viewer/model/Preferences.h"
 
@@ -33,15 +34,15 @@ void Archives::put(const ServerEntry& entry) {
     servers_.push_back(entry);
   } else {
     // A secret never goes to another address than the one that it was given for.
-    if (*at != entry) forgetSecret(entry.id);
+    if (*at != entry) forgetSecret(*at);
     *at = entry;
   }
   store();
 }
 
 void Archives::remove(const QString& id) {
-  std::erase_if(servers_, [&](const ServerEntry& each) { return each.id == id; });
   forgetSecret(id);
+  std::erase_if(servers_, [&](const ServerEntry& each) { return each.id == id; });
   store();
 }
 
@@ -56,12 +57,35 @@ std::optional<AnyServer> Archives::reach(const ServerEntry& entry, Asking asking
   io::archive::Limits limits;
   limits.cacheBytes = static_cast<std::uint64_t>(preferences_.value(Preference::ArchiveGigabytes)) << 30;
   if (entry.kind == ServerEntry::Kind::Web && entry.login != ServerEntry::Login::None && !secrets_.contains(entry.id)) {
-    const bool asks = asking == Asking::Allowed && askSecret_;
-    const std::optional<QString> given = asks ? askSecret_(entry) : std::nullopt;
+    const std::optional<QString> given = asking == Asking::Allowed ? secretOf(ServerEntry(entry)) : std::nullopt;
     if (!given || given->isEmpty()) return std::nullopt;
     secrets_.insert(entry.id, io::archive::Secret(given->toStdString()));
   }
   return serverOf(entry, secrets_.value(entry.id), limits);
+}
+
+std::optional<QString> Archives::secretOf(const ServerEntry& entry) {
+  bool canKeep = entry.keepsSecret;
+  if (entry.keepsSecret) {
+    const KeyRingAnswer kept = readKeyRing(entry, window_);
+    if (kept.secret && !kept.secret->isEmpty()) return kept.secret;
+    canKeep = kept.problem.isEmpty();
+    if (!canKeep) Q_EMIT keyRingFailed(kept.problem);
+  }
+  const std::optional<QString> given = askSecret_ ? askSecret_(entry) : std::nullopt;
+  if (given && !given->isEmpty() && canKeep)
+    writeKeyRing(entry, *given, this, [this](const QString& problem) { Q_EMIT keyRingFailed(problem); });
+  return given;
+}
+
+void Archives::forgetSecret(const QString& id) {
+  if (const ServerEntry* entry = find(id)) forgetSecret(*entry);
+}
+
+void Archives::forgetSecret(const ServerEntry& entry) {
+  secrets_.remove(entry.id);
+  if (entry.keepsSecret)
+    removeFromKeyRing(entry, this, [this](const QString& problem) { Q_EMIT keyRingFailed(problem); });
 }
 
 std::filesystem::path Archives::cacheFolder() const {

@@ -13,11 +13,28 @@
 #include "io/LabelWriter.h"
 #include "io/base/Reading.h"
 #include "viewer/archive/Conversation.h"
-#include "viewer/archive/SentAnswers.h"
 #include "viewer/model/Document.h"
 #include "viewer/model/Paths.h"
+#include "viewer/model/WayOutText.h"
 
 namespace fenestra::viewer {
+namespace {
+
+/// Fills `commitments`, or returns why there are none, as a sentence.
+QString askToCommit(const Conversation& talk, const std::vector<io::archive::Sent>& sent,
+                    SentAnswers::Commitments& commitments, const io::Progress& progress) {
+  try {
+    talk.run([&](const auto& server) {
+      if constexpr (std::is_same_v<std::decay_t<decltype(server)>, io::archive::Server>)
+        commitments = io::archive::commit(server, sent, progress);
+    });
+  } catch (const io::Error& error) {
+    return windowText(error);
+  }
+  return {};
+}
+
+}  // namespace
 
 QString SendDialog::problemOf(const Document& document) {
   if (!document.hasVolume()) return tr("Nothing is open.");
@@ -83,13 +100,23 @@ void SendDialog::addChoices(QFormLayout& form) {
   form.addRow(tr("Server"), servers_);
   form.addRow(series_);
   form.addRow(labels_);
+  commits_ = new QCheckBox(tr("Ask the archive to confirm that it keeps them"));
+  commits_->setObjectName(QStringLiteral("sendCommit"));
+  form.addRow(commits_);
   form.addRow(note);
+  connect(servers_, &QComboBox::currentIndexChanged, this, &SendDialog::enable);
   for (QCheckBox* each : {series_, labels_}) connect(each, &QCheckBox::toggled, this, &SendDialog::enable);
 }
 
 void SendDialog::enable() {
   const bool some = series_->isChecked() || labels_->isChecked();
   send_->setEnabled(some && servers_->count() > 0 && !job_.isRunning());
+  const ServerEntry* entry = archives_.find(servers_->currentData().toString());
+  const bool isWeb = entry && entry->kind == ServerEntry::Kind::Web;
+  commits_->setEnabled(entry && !isWeb);
+  commits_->setToolTip(isWeb ? tr("DICOMweb has no such confirmation")
+                             : tr("A storage commitment: the archive says of each object whether it is stored safely. "
+                                  "Most connect to our address and port for that, which are open meanwhile"));
 }
 
 void SendDialog::send() {
@@ -102,7 +129,7 @@ void SendDialog::send() {
   const std::vector<std::filesystem::path> series = document_.study().series.files;
   const auto labels = labels_->isChecked() ? document_.labels() : nullptr;
   const bool sendsSeries = series_->isChecked();
-  job_.start([this, series, labels, sendsSeries,
+  job_.start([this, series, labels, sendsSeries, commits = commits_->isEnabled() && commits_->isChecked(),
               talk = Conversation(archives_, entry->id, *reached)](const io::Progress& progress) -> LoadJob::Show {
     std::vector<std::filesystem::path> files;
     if (sendsSeries) files = series;
@@ -114,19 +141,28 @@ void SendDialog::send() {
       io::writeLabels(*labels, files.back(), {.only = {}, .series = series, .namesPatient = true},
                       io::partOf(progress, 0.0, 0.2));
     }
-    const auto sent = std::make_shared<std::vector<io::archive::Sent>>(talk.run([&](const auto& each) {
+    const auto outcome = std::make_shared<Outcome>();
+    outcome->sent = talk.run([&](const auto& each) {
       return io::archive::send(each, files, io::partOf(progress, labels ? 0.2 : 0.0, 1.0));
-    }));
-    return [this, sent, images = sendsSeries ? series.size() : 0] { show(*sent, images); };
+    });
+    outcome->isCommitmentAsked = commits;
+    // What was sent is told whatever becomes of the question.
+    if (commits) outcome->problem = askToCommit(talk, outcome->sent, outcome->commitments, progress);
+    return [this, outcome, images = sendsSeries ? series.size() : 0] { show(*outcome, images); };
   });
   enable();
 }
 
-void SendDialog::show(const std::vector<io::archive::Sent>& sent, std::size_t images) {
+void SendDialog::show(const Outcome& outcome, std::size_t images) {
   QStringList names;
-  for (std::size_t i = 0; i < sent.size(); ++i) names << (i < images ? tr("Image %1").arg(i + 1) : tr("Labels"));
-  answers_->fill(names, sent);
-  status_->setText(SentAnswers::summaryOf(sent));
+  for (std::size_t i = 0; i < outcome.sent.size(); ++i)
+    names << (i < images ? tr("Image %1").arg(i + 1) : tr("Labels"));
+  answers_->fill(names, outcome.sent, outcome.commitments);
+  QStringList lines{SentAnswers::summaryOf(outcome.sent)};
+  if (outcome.isCommitmentAsked)
+    lines << (outcome.problem.isEmpty() ? SentAnswers::summaryOf(outcome.sent, outcome.commitments)
+                                        : tr("None is confirmed to be kept: %1").arg(outcome.problem));
+  status_->setText(lines.join(QLatin1Char('\n')));
 }
 
 }  // namespace fenestra::viewer

@@ -7,6 +7,7 @@
 
 #include "io/archive/Send.h"
 #include "viewer/archive/Archives.h"
+#include "viewer/archive/SentAnswers.h"
 #include "viewer/jobs/LoadJob.h"
 
 class QCheckBox;
@@ -18,7 +19,6 @@ class QPushButton;
 namespace fenestra::viewer {
 
 class Document;
-class SentAnswers;
 
 class SendDialog : public QDialog {
   Q_OBJECT
@@ -34,14 +34,21 @@ class SendDialog : public QDialog {
 
  private:
   void addChoices(class QFormLayout& form);
-  void show(const std::vector<io::archive::Sent>& sent, std::size_t images);
+  /// What became of the objects; without commitments, `problem` says why there are none.
+  struct Outcome {
+    std::vector<io::archive::Sent> sent;
+    SentAnswers::Commitments commitments;
+    bool isCommitmentAsked = false;
+    QString problem;
+  };
+  void show(const Outcome& outcome, std::size_t images);
   void enable();
 
   Archives& archives_;
   const Document& document_;
   LoadJob job_{archiveThreads()};
   QComboBox* servers_;
-  QCheckBox *series_, *labels_;
+  QCheckBox *series_, *labels_, *commits_;
   QLabel* status_;
   QProgressBar* progress_;
   SentAnswers* answers_;

@@ -1,5 +1,6 @@
 #include "viewer/archive/ServerDialog.h"
 
+#include <QCheckBox>
 #include <QComboBox>
 #include <QDialogButtonBox>
 #include <QFormLayout>
@@ -81,8 +82,11 @@ void ServerDialog::addDicomRows() {
   way_->setToolTip(
       tr("How objects come. C-GET needs nothing more; with C-MOVE our address and port are entered at the "
          "server, and the port is open while objects come"));
-  interface_ = lineOf(before_.interface, "ownAddress", tr("Address of this machine that the server sends to"));
-  ownPort_ = portBox(before_.ownPort, "ownPort", tr("Port of this machine that the server sends to"));
+  interface_ = lineOf(
+      before_.interface, "ownAddress",
+      tr("Address of this machine that the server sends to: objects by C-MOVE, and whether it keeps what it was sent"));
+  ownPort_ = portBox(before_.ownPort, "ownPort",
+                     tr("Port of this machine that the server sends to; it is open while that is waited for"));
   form_->addRow(tr("Host"), host_);
   form_->addRow(tr("Port"), port_);
   form_->addRow(tr("Its AE title"), title_);
@@ -99,11 +103,18 @@ void ServerDialog::addWebRows() {
   login_->setObjectName(QStringLiteral("serverLogin"));
   login_->addItems({tr("None"), tr("User and password"), tr("Token")});  // in the order of Login
   login_->setCurrentIndex(static_cast<int>(before_.login));
-  login_->setToolTip(tr("The password or token is asked for when it is needed, and forgotten when the program ends"));
+  login_->setToolTip(tr("The password or token is asked for when it is needed"));
+  keeps_ = new QCheckBox(tr("Keep the password or token in the key ring"));
+  keeps_->setObjectName(QStringLiteral("serverKeeps"));
+  keeps_->setChecked(before_.keepsSecret);
+  keeps_->setToolTip(
+      tr("The password or token is kept where the desktop keeps those of other programs, encrypted, and nowhere else. "
+         "Otherwise it is forgotten when the program ends"));
   user_ = lineOf(before_.user, "serverUser", tr("Who you are to the server"));
   form_->addRow(tr("Address"), url_);
   form_->addRow(tr("Login"), login_);
   form_->addRow(tr("User"), user_);
+  form_->addRow(keeps_);
 }
 
 void ServerDialog::addTlsRows() {
@@ -140,15 +151,15 @@ void ServerDialog::showRows() {
   const auto kind = static_cast<ServerEntry::Kind>(kind_->currentIndex());
   const bool isWeb = kind == ServerEntry::Kind::Web, isTls = kind == ServerEntry::Kind::DicomTls;
   for (QWidget* each : {static_cast<QWidget*>(host_), static_cast<QWidget*>(port_), static_cast<QWidget*>(title_),
-                        static_cast<QWidget*>(ownTitle_), static_cast<QWidget*>(way_)})
+                        static_cast<QWidget*>(ownTitle_), static_cast<QWidget*>(way_),
+                        static_cast<QWidget*>(interface_), static_cast<QWidget*>(ownPort_)})
     form_->setRowVisible(each, !isWeb);
-  const bool moves = !isWeb && way_->currentIndex() == 1;
-  form_->setRowVisible(interface_, moves);
-  form_->setRowVisible(ownPort_, moves);
   form_->setRowVisible(url_, isWeb);
   form_->setRowVisible(login_, isWeb);
   form_->setRowVisible(
       user_, isWeb && static_cast<ServerEntry::Login>(login_->currentIndex()) == ServerEntry::Login::Password);
+  form_->setRowVisible(keeps_,
+                       isWeb && static_cast<ServerEntry::Login>(login_->currentIndex()) != ServerEntry::Login::None);
   form_->setRowVisible(authoritiesRow_, isWeb || isTls);
   form_->setRowVisible(certificateRow_, isTls);
   form_->setRowVisible(keyRow_, isTls);
@@ -169,6 +180,8 @@ ServerEntry ServerDialog::entry() const {
   entry.url = url_->text().trimmed();
   entry.login = static_cast<ServerEntry::Login>(login_->currentIndex());
   entry.user = user_->text().trimmed();
+  entry.keepsSecret =
+      entry.kind == ServerEntry::Kind::Web && entry.login != ServerEntry::Login::None && keeps_->isChecked();
   entry.authorities = authorities_->text().trimmed();
   entry.certificate = certificate_->text().trimmed();
   entry.key = key_->text().trimmed();

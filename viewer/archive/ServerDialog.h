@@ -37,6 +37,7 @@ class ServerDialog : public QDialog {
   const ServerEntry before_;
   QFormLayout* form_;
   QComboBox *kind_, *login_, *way_;
+  QCheckBox* keeps_;
   QLineEdit *name_, *host_, *title_, *ownTitle_, *interface_, *url_, *user_;
   QLineEdit *authorities_, *certificate_, *key_;
   QSpinBox *port_, *ownPort_;

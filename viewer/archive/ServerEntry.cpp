@@ -63,6 +63,7 @@ QVariantMap toMap(const ServerEntry& entry) {
                   {QStringLiteral("port"), entry.port},
                   {QStringLiteral("moves"), entry.moves},
                   {QStringLiteral("ownPort"), entry.ownPort},
+                  {QStringLiteral("keepsSecret"), entry.keepsSecret},
                   {QStringLiteral("login"), static_cast<int>(entry.login)}};
   for (const EntryText& text : entryTexts) map.insert(QLatin1String(text.key), entry.*text.member);
   return map;
@@ -80,6 +81,7 @@ std::optional<ServerEntry> serverEntryOf(const QVariantMap& map) {
   entry.port = number("port");
   entry.moves = map.value(QStringLiteral("moves")).toBool();
   entry.ownPort = number("ownPort");
+  entry.keepsSecret = map.value(QStringLiteral("keepsSecret")).toBool();
   for (const EntryText& text : entryTexts) entry.*text.member = map.value(QLatin1String(text.key)).toString();
   return entry.id.isEmpty() || !problemOf(entry).isEmpty() ? std::nullopt : std::optional(entry);
 }
@@ -105,7 +107,7 @@ AnyServer serverOf(const ServerEntry& entry, const io::archive::Secret& secret, 
   io::archive::Server server = io::archive::parseServer(dicomAddress(entry)).value();
   server.ownTitle = entry.ownTitle.toStdString();
   server.interface = entry.interface.toStdString();
-  server.ownPort = entry.moves ? entry.ownPort : 0;
+  server.ownPort = entry.ownPort;
   if (server.tls) *server.tls = {toPath(entry.authorities), toPath(entry.certificate), toPath(entry.key)};
   server.limits = limits;
   return server;

@@ -1,6 +1,6 @@
 #pragma once
 // An archive server as the user entered it, kept in the preferences. It holds no secret: a password or token is asked
-// for when it is needed, and stays in memory.
+// for when it is needed, and stays in memory or, where the user says so, in the desktop's key ring (KeyRing.h).
 
 #include <cstdint>
 #include <optional>
@@ -27,14 +27,15 @@ struct ServerEntry {
   int port = 104;
   QString title, ownTitle = QStringLiteral("FENESTRA");  ///< AE titles
   bool moves = false;                                    ///< retrieves by C-MOVE rather than C-GET
-  QString interface = QStringLiteral("127.0.0.1");       ///< address of ours that C-MOVE's objects come to
-  int ownPort = 11112;                                   ///< and port
+  QString interface = QStringLiteral("127.0.0.1");       ///< address of ours that C-MOVE's objects come to,
+  int ownPort = 11112;                                   ///< and port; storage commitments, too
   QString certificate, key;                              ///< ours, PEM files; empty: none
 
   // DICOMweb.
   QString url;  ///< of the service's root
   Login login = Login::None;
   QString user;
+  bool keepsSecret = false;  ///< its password or token, in the key ring
 
   QString authorities;  ///< PEM file of certificates that may sign the server's; TLS needs it
 
