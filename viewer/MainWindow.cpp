@@ -344,6 +344,7 @@ void MainWindow::offer(const QString& name, std::function<io::StudyRequest()> re
 void MainWindow::leave() {
   sessions_->leave();
   if (MainWindow* beside = other()) beside->sessions_->leave();
+  link_->setCompared(false);  // the panels come back before their state is stored
   storeLayout();
   QCoreApplication::exit(0);
 }

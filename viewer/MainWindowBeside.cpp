@@ -1,6 +1,9 @@
 // A second study beside the first: another window of this run, with views, panels and menus of its own. Each of the two
 // knows the other one; the first owns the second, which stays, hidden and empty, once it was there.
 
+#include <algorithm>
+
+#include <QLayout>
 #include <QScreen>
 
 #include "viewer/MainWindow.h"
@@ -72,6 +75,7 @@ void MainWindow::tile() {
   for (int at = 0; at < 2; ++at) {
     MainWindow& window = *both[at];
     window.setWindowState(window.windowState() & ~(Qt::WindowMaximized | Qt::WindowFullScreen));
+    window.layout()->activate();  // without the panels that have just been hidden it can be narrower
     window.setGeometry(area.left() + at * width + frame / 2, area.top() + title, width - frame,
                        area.height() - title - frame / 2);
     window.show();

@@ -3926,6 +3926,14 @@ Kosinus des Winkels zur nächsten der sechs</translation>
         <source>F6</source>
         <translation>F6</translation>
     </message>
+    <message>
+        <source>&amp;Panels</source>
+        <translation>Panel&amp;s</translation>
+    </message>
+    <message>
+        <source>F9</source>
+        <translation>F9</translation>
+    </message>
 </context>
 <context>
     <name>fenestra::viewer::AppearancePanel</name>
@@ -7093,10 +7101,6 @@ Aus: erst die beste Ansicht, dann die beste daneben</translation>
         <translation>nicht gekoppelt</translation>
     </message>
     <message>
-        <source>ends %1 mm before</source>
-        <translation>endet %1 mm davor</translation>
-    </message>
-    <message>
         <source>linked by patient position</source>
         <translation>nach Patientenposition gekoppelt</translation>
     </message>
@@ -7119,6 +7123,10 @@ Aus: erst die beste Ansicht, dann die beste daneben</translation>
     <message>
         <source>%1, active</source>
         <translation>%1, aktiv</translation>
+    </message>
+    <message>
+        <source>%1 mm apart, where a study ends</source>
+        <translation>%1 mm auseinander, am Ende einer Studie</translation>
     </message>
 </context>
 <context>

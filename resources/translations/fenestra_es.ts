@@ -3926,6 +3926,14 @@ Coseno del ángulo con la más próxima de las seis</translation>
         <source>F6</source>
         <translation>F6</translation>
     </message>
+    <message>
+        <source>&amp;Panels</source>
+        <translation>Pa&amp;neles</translation>
+    </message>
+    <message>
+        <source>F9</source>
+        <translation>F9</translation>
+    </message>
 </context>
 <context>
     <name>fenestra::viewer::AppearancePanel</name>
@@ -7093,10 +7101,6 @@ Desactivado: primero la mejor vista, luego la mejor junto a ella</translation>
         <translation>sin vincular</translation>
     </message>
     <message>
-        <source>ends %1 mm before</source>
-        <translation>termina %1 mm antes</translation>
-    </message>
-    <message>
         <source>linked by patient position</source>
         <translation>vinculado por la posición del paciente</translation>
     </message>
@@ -7119,6 +7123,10 @@ Desactivado: primero la mejor vista, luego la mejor junto a ella</translation>
     <message>
         <source>%1, active</source>
         <translation>%1, activo</translation>
+    </message>
+    <message>
+        <source>%1 mm apart, where a study ends</source>
+        <translation>a %1 mm, donde termina un estudio</translation>
     </message>
 </context>
 <context>

@@ -3926,6 +3926,14 @@ Cosinus de l&apos;angle avec la plus proche des six</translation>
         <source>F6</source>
         <translation>F6</translation>
     </message>
+    <message>
+        <source>&amp;Panels</source>
+        <translation>Pa&amp;nneaux</translation>
+    </message>
+    <message>
+        <source>F9</source>
+        <translation>F9</translation>
+    </message>
 </context>
 <context>
     <name>fenestra::viewer::AppearancePanel</name>
@@ -7093,10 +7101,6 @@ Sinon&#xa0;: d&apos;abord la meilleure vue, puis la meilleure à côté</transla
         <translation>non lié</translation>
     </message>
     <message>
-        <source>ends %1 mm before</source>
-        <translation>finit %1 mm avant</translation>
-    </message>
-    <message>
         <source>linked by patient position</source>
         <translation>lié par la position du patient</translation>
     </message>
@@ -7119,6 +7123,10 @@ Sinon&#xa0;: d&apos;abord la meilleure vue, puis la meilleure à côté</transla
     <message>
         <source>%1, active</source>
         <translation>%1, actif</translation>
+    </message>
+    <message>
+        <source>%1 mm apart, where a study ends</source>
+        <translation>à %1 mm, où un examen finit</translation>
     </message>
 </context>
 <context>

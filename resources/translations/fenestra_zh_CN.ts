@@ -3925,6 +3925,14 @@ Cosine of the angle to the nearest of the six</source>
         <source>F6</source>
         <translation>F6</translation>
     </message>
+    <message>
+        <source>&amp;Panels</source>
+        <translation>面板(&amp;P)</translation>
+    </message>
+    <message>
+        <source>F9</source>
+        <translation>F9</translation>
+    </message>
 </context>
 <context>
     <name>fenestra::viewer::AppearancePanel</name>
@@ -7086,10 +7094,6 @@ Off: first the best view, then the best one beside it</source>
         <translation>未联动</translation>
     </message>
     <message>
-        <source>ends %1 mm before</source>
-        <translation>在此之前 %1 mm 处结束</translation>
-    </message>
-    <message>
         <source>linked by patient position</source>
         <translation>按患者位置联动</translation>
     </message>
@@ -7112,6 +7116,10 @@ Off: first the best view, then the best one beside it</source>
     <message>
         <source>%1, active</source>
         <translation>%1，活动</translation>
+    </message>
+    <message>
+        <source>%1 mm apart, where a study ends</source>
+        <translation>相距 %1 mm，已到一个检查的边缘</translation>
     </message>
 </context>
 <context>

@@ -47,7 +47,7 @@ void Conventions::addStudyCases(Cases& cases) {
     }
     open(markedBall());
   };
-  cases["M"] = cases["Shift+M"] = cases["F6"] = [this] {
+  cases["M"] = cases["Shift+M"] = cases["F6"] = cases["F9"] = [this] {
     MainWindow& beside = window_->showBeside();
     QSignalSpy opened(&beside, &MainWindow::opened);
     beside.open([](const io::Progress&) { return markedBall(); });
@@ -60,6 +60,8 @@ void Conventions::addStudyCases(Cases& cases) {
     EXPECT_FALSE(window_->link().isLinked());
     press("M");
     EXPECT_TRUE(window_->link().isLinked());
+    const QWidget* focus = window_->findChild<QWidget*>(QStringLiteral("focusDock"));
+    expectToggle("F9", [focus] { return focus->isVisible(); });
     press("F6");
     EXPECT_TRUE(QTest::qWaitFor([&] { return QApplication::activeWindow() == &beside; }, patience));
     beside.sessions().questions().saveChanges = [](const QStringList&) { return SessionQuestions::Answer::Discard; };

@@ -94,6 +94,8 @@ class Actions : public QObject {
   void addOpenBeside(QMenu& menu);
   /// How two studies that are open side by side go together.
   void makeCompareMenu(QMenu& menu);
+  /// Gives the panels' room to the pictures while two studies share the screen.
+  void addSidePanels(QMenu& menu);
   void makeEditMenu();
   void showSettings();
   void makeViewMenu();

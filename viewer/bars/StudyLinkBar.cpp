@@ -55,7 +55,7 @@ StudyLinkBar::StudyLinkBar(StudyLink& link, int side, QWidget* parent)
 
 QString StudyLinkBar::stateText() const {
   if (!link_.isLinked()) return tr("not linked");
-  if (link_.beyond() > 0.0) return tr("ends %1 mm before").arg(numberText(link_.beyond(), 1));
+  if (link_.beyond() > 0.0) return tr("%1 mm apart, where a study ends").arg(numberText(link_.beyond(), 1));
   if (!link_.isMatched()) return tr("linked by patient position");
   const glm::dvec3 offset = side_ == 0 ? link_.offset() : -link_.offset();
   return tr("linked, offset %1, %2, %3 mm")
