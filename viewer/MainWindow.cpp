@@ -10,6 +10,7 @@
 #include <QStackedWidget>
 #include <QStatusBar>
 #include <QTimer>
+#include <QTreeWidget>
 #include <QVBoxLayout>
 
 #include "io/study/ReadStudy.h"
@@ -27,6 +28,7 @@
 #include "viewer/bars/NoticeBar.h"
 #include "viewer/bars/StatusBar.h"
 #include "viewer/bars/StudyDialogs.h"
+#include "viewer/bars/StudyLinkBar.h"
 #include "viewer/bars/WaitingBar.h"
 #include "viewer/exports/Exports.h"
 #include "viewer/exports/PictureExports.h"
@@ -37,6 +39,7 @@
 #include "viewer/guide/Tour.h"
 #include "viewer/guide/WelcomePage.h"
 #include "viewer/model/PatientLines.h"
+#include "viewer/model/StudyLink.h"
 #include "viewer/panels/CamerasPanel.h"
 #include "viewer/panels/FileDialog.h"
 #include "viewer/panels/ReformatPanel.h"
@@ -67,9 +70,13 @@ void prepare(io::Study& study) {
 
 MainWindow::MainWindow(const Setup& setup, QWidget* parent)
     : QMainWindow(parent),
+      setup_(setup),
       gl_(setup.gl),
       workspace_(setup.remember ? Preferences::Mode::Stored : Preferences::Mode::Transient),
-      loader_(workspace_.document, prepare) {
+      loader_(workspace_.document, prepare),
+      first_(setup.first),
+      link_(first_ ? first_->link_ : std::make_shared<StudyLink>()) {
+  if (first_) workspace_.preferences.shareWith(first_->workspace_.preferences);
   if (workspace_.preferences.isOn(Preference::LightTheme)) applyPreference(Preference::LightTheme);
   setWindowTitle(QStringLiteral("Fenestra"));
   setAcceptDrops(true);
@@ -96,10 +103,29 @@ MainWindow::MainWindow(const Setup& setup, QWidget* parent)
   guide_ = new Guide(*this);
   connect(panels_.folding, &DockFolding::opened, guide_, &Guide::opened);
   connect(welcome_, &WelcomePage::guideRequested, guide_, [this] { guide_->open(); });
-  actions_ =
-      new Actions({*this, workspace_, loader_, grower_, *files_, *exports_, *pictures_, *verification_, *sessions_,
-                   *views_, gl_, [this] { closeStudy(); }, [this] { resetLayout(); }, [this] { keepKeyImage(); },
-                   [this] { showResultsDialog(); }, *panels_.cutaway, *archive_, *guide_, *tour_});
+  actions_ = new Actions({*this,
+                          workspace_,
+                          loader_,
+                          grower_,
+                          *files_,
+                          *exports_,
+                          *pictures_,
+                          *verification_,
+                          *sessions_,
+                          *views_,
+                          gl_,
+                          [this] { closeStudy(); },
+                          [this] { resetLayout(); },
+                          [this] { keepKeyImage(); },
+                          [this] { showResultsDialog(); },
+                          [this] { showOther(); },
+                          [this] { quit(); },
+                          *panels_.cutaway,
+                          *archive_,
+                          *guide_,
+                          *tour_,
+                          *link_,
+                          side()});
   setStatusBar(new StatusBar(workspace_.document, workspace_.options, *views_, gl_));
   // Below the pictures: a bar above them would resize them, and each click would draw them again.
   // What comes and goes in the status bar must not make the window wider.
@@ -115,6 +141,7 @@ MainWindow::MainWindow(const Setup& setup, QWidget* parent)
   connectViews();
   connectPanels();
   connectLoader();
+  connectBeside();
   // The system's frame around the window is not known before it is shown: a twentieth of the screen is left for it.
   resize(QSize(1440, 900).boundedTo(screen()->availableSize() * 0.95));
   firstState_ = saveState(layoutVersion);
@@ -142,13 +169,14 @@ QWidget* MainWindow::makeCentre() {
   column->addWidget(new LoadingBar(exports_->job(), tr("Writing…")));
   column->addWidget(notices_);
   column->addWidget(tour_);
+  column->addWidget(new StudyLinkBar(*link_, side()));
   column->addWidget(pages_, 1);
   return centre;
 }
 
 void MainWindow::restoreLayout() {
   Preferences& preferences = workspace_.preferences;
-  restoreGeometry(preferences.windowGeometry());
+  if (!first_) restoreGeometry(preferences.windowGeometry());
   panels_.folding->restore(preferences.foldedPanels());
   connect(panels_.folding, &DockFolding::changed, this,
           [this, &preferences] { preferences.setFoldedPanels(panels_.folding->folded()); });
@@ -202,6 +230,7 @@ void MainWindow::resetLayout() {
 }
 
 void MainWindow::followVolume() {
+  link_->end();  // before this study's crosshair and cameras move
   if (!workspace_.document.hasVolume()) return focusSearch_.cancel();
   const io::Study& study = workspace_.document.study();
   const Grid& grid = study.scene.volume->grid;
@@ -221,6 +250,7 @@ void MainWindow::open(const std::vector<std::filesystem::path>& paths) { files_-
 void MainWindow::openLabels(const std::filesystem::path& path) { loader_.openLabels(path); }
 
 void MainWindow::addSample(const QString& name, StudyLoader::SampleReader read) {
+  samples_.emplace_back(name, read);
   QAction* sample = actions_->addSample(name, std::move(read));
   welcome_->addSample(*sample);
   if (!tour_->canStart())
@@ -246,8 +276,16 @@ void MainWindow::studyOpened() {
 }
 
 void MainWindow::closeStudy() {
-  if (!workspace_.document.hasVolume() || !sessions_->mayGo()) return;
+  if (link_->isCompared()) {
+    close();
+    return;
+  }
+  if (workspace_.document.hasVolume() && sessions_->mayGo()) dropStudy();
+}
+
+void MainWindow::dropStudy() {
   loader_.job().cancel();
+  if (!workspace_.document.hasVolume()) return;
   grower_.cancel();
   labelEditor_.job().cancel();
   workspace_.placement.cancel();
@@ -305,8 +343,15 @@ void MainWindow::offer(const QString& name, std::function<io::StudyRequest()> re
 
 void MainWindow::leave() {
   sessions_->leave();
-  workspace_.preferences.setLayout(saveGeometry(), saveState(layoutVersion), views_->saveLayout());
+  if (MainWindow* beside = other()) beside->sessions_->leave();
+  link_->setCompared(false);  // the panels come back before their state is stored
+  storeLayout();
   QCoreApplication::exit(0);
+}
+
+void MainWindow::storeLayout() {
+  workspace_.preferences.setLayout(alone_.isEmpty() ? saveGeometry() : alone_, saveState(layoutVersion),
+                                   views_->saveLayout());
 }
 
 QImage MainWindow::picture(Patient patient) {
@@ -354,7 +399,10 @@ void MainWindow::closeEvent(QCloseEvent* event) {
     event->ignore();
     return;
   }
-  workspace_.preferences.setLayout(saveGeometry(), saveState(layoutVersion), views_->saveLayout());
+  if (link_->isCompared())
+    endComparison();
+  else
+    storeLayout();
   QMainWindow::closeEvent(event);
 }
 
@@ -367,7 +415,13 @@ void MainWindow::dropEvent(QDropEvent* event) {
   if (const QString series = SeriesPanel::seriesOf(*event->mimeData()); !series.isEmpty()) {
     event->acceptProposedAction();
     // Opened from the event loop: the drag goes on until the drop has ended, and opening may ask.
-    QTimer::singleShot(0, panels_.series, [this, series] { panels_.series->choose(series); });
+    const bool fromBeside = event->source() && event->source() != panels_.series->list();
+    QTimer::singleShot(0, panels_.series, [this, series, fromBeside] {
+      if (fromBeside && other())
+        files_->openSeriesOf(other()->workspace_.document.study(), series.toStdString());
+      else
+        panels_.series->choose(series);
+    });
     return;
   }
   const std::vector<std::filesystem::path> paths = localPaths(*event->mimeData());

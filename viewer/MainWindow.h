@@ -34,6 +34,8 @@ class PictureExports;
 class ResultsDialog;
 class Verification;
 class Sessions;
+class SliceView;
+class StudyLink;
 class StudyNotices;
 class Tour;
 class ViewArea;
@@ -50,6 +52,7 @@ class MainWindow : public QMainWindow {
     std::optional<Focus> expected = {};
     ChooseSchedule chooseSchedule = {};  ///< unset: the renderer's name decides
     bool remember = true;                ///< restore and save layout, recent files and `atRest`
+    MainWindow* first = nullptr;         ///< this window is for a study beside that one's, which owns it
   };
 
   explicit MainWindow(const Setup& setup, QWidget* parent = nullptr);
@@ -67,6 +70,16 @@ class MainWindow : public QMainWindow {
   void offer(const QString& name, std::function<io::StudyRequest()> request);
   /// Ends the program in order, without a question: unsaved work is left for the next start to offer.
   void leave();
+
+  /// The window beside, with a second study or none yet, tiled with this one. A study that is open there stays until
+  /// another is.
+  MainWindow& showBeside();
+  /// 0: the left study, 1: the right one.
+  int side() const { return first_ ? 1 : 0; }
+  /// How this study and the one beside go together.
+  StudyLink& link() { return *link_; }
+  /// Closes this window and the one beside, unless the user keeps unsaved work.
+  void quit();
 
   /// Calls `done` once, when nothing is being read and all views show the scene at full quality.
   void whenDrawn(std::function<void()> done);
@@ -119,11 +132,29 @@ class MainWindow : public QMainWindow {
   void studyOpened();
   /// Back to the welcome page with nothing open, after unsaved work was asked for; its memory is let go.
   void closeStudy();
+  /// Lets go of the study and of what is read, without a question.
+  void dropStudy();
+  void storeLayout();
+
+  void connectBeside();
+  /// The window beside; null before there was one.
+  MainWindow* other() const { return first_ ? first_ : second_.get(); }
+  /// Lays both windows out, each on half of the screen.
+  void tile();
+  /// The slice of the other study shows a millimetre as large.
+  void scaleOther(const SliceView& view);
+  /// Says where coordinates of the two studies may not mean the same place.
+  void tellFrames();
+  /// This window closes, and the other one is alone again.
+  void endComparison();
+  void showOther();
+
   /// Moves the crosshair to the centre of the focus once another thread has found it.
   void goToFocus();
   /// Nothing is being read, measured or drawn.
   bool isIdle();
 
+  const Setup setup_;
   GlSupport gl_;
   Workspace workspace_;
   StudyLoader loader_;
@@ -149,6 +180,12 @@ class MainWindow : public QMainWindow {
   Guide* guide_;
   Actions* actions_;
   QByteArray firstState_, firstViews_;  ///< the layout that resetLayout() restores
+
+  MainWindow* const first_;  ///< null in the first window
+  std::shared_ptr<StudyLink> link_;
+  std::vector<std::pair<QString, StudyLoader::SampleReader>> samples_;
+  QByteArray alone_;  ///< the geometry before two studies were compared; empty while they are not
+  std::unique_ptr<MainWindow> second_;
 };
 
 }  // namespace fenestra::viewer

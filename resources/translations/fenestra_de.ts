@@ -691,53 +691,6 @@
     </message>
 </context>
 <context>
-    <name>FileOpener</name>
-    <message>
-        <source>Open as volume</source>
-        <translation>Als Volumen öffnen</translation>
-    </message>
-    <message>
-        <source>Open as labels of this volume</source>
-        <translation>Als Labels dieses Volumens öffnen</translation>
-    </message>
-    <message>
-        <source>Volumes (*.dcm %1);;All files (*)</source>
-        <translation>Volumen (*.dcm %1);;Alle Dateien (*)</translation>
-    </message>
-    <message>
-        <source>Open a volume</source>
-        <translation>Volumen öffnen</translation>
-    </message>
-    <message>
-        <source>Open a DICOM folder</source>
-        <translation>DICOM-Ordner öffnen</translation>
-    </message>
-    <message>
-        <source>Label maps (*.dcm %1);;All files (*)</source>
-        <translation>Labelkarten (*.dcm %1);;Alle Dateien (*)</translation>
-    </message>
-    <message>
-        <source>Open a label map</source>
-        <translation>Labelkarte öffnen</translation>
-    </message>
-    <message>
-        <source>Open a folder of masks</source>
-        <translation>Ordner mit Masken öffnen</translation>
-    </message>
-    <message>
-        <source>Tables of labels (*.txt *.tsv *.csv *.label *.ctbl *.lut);;All files (*)</source>
-        <translation>Labeltabellen (*.txt *.tsv *.csv *.label *.ctbl *.lut);;Alle Dateien (*)</translation>
-    </message>
-    <message>
-        <source>Open a table of labels</source>
-        <translation>Labeltabelle öffnen</translation>
-    </message>
-    <message>
-        <source>How large the voxels are:</source>
-        <translation>Wie groß die Voxel sind:</translation>
-    </message>
-</context>
-<context>
     <name>FramePacer</name>
     <message>
         <source>draft</source>
@@ -4136,6 +4089,66 @@ Kosinus des Winkels zur nächsten der sechs</translation>
         <source>Path along the &amp;focus</source>
         <translation>Pfad durch den F&amp;okus</translation>
     </message>
+    <message>
+        <source>Open besi&amp;de</source>
+        <translation>Daneben ö&amp;ffnen</translation>
+    </message>
+    <message>
+        <source>&amp;Folder…</source>
+        <translation>&amp;Ordner…</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+B</source>
+        <translation>Ctrl+Shift+B</translation>
+    </message>
+    <message>
+        <source>F&amp;ile…</source>
+        <translation>&amp;Datei…</translation>
+    </message>
+    <message>
+        <source>Ctrl+B</source>
+        <translation>Ctrl+B</translation>
+    </message>
+    <message>
+        <source>T&amp;wo studies</source>
+        <translation>Z&amp;wei Studien</translation>
+    </message>
+    <message>
+        <source>&amp;Link by patient position</source>
+        <translation>Nach &amp;Patientenposition koppeln</translation>
+    </message>
+    <message>
+        <source>M</source>
+        <translation>M</translation>
+    </message>
+    <message>
+        <source>&amp;Match points</source>
+        <translation>Punkte &amp;zuordnen</translation>
+    </message>
+    <message>
+        <source>Shift+M</source>
+        <translation>Shift+M</translation>
+    </message>
+    <message>
+        <source>&amp;Forget the pair of points</source>
+        <translation>Punktepaar &amp;vergessen</translation>
+    </message>
+    <message>
+        <source>&amp;Other study</source>
+        <translation>&amp;Andere Studie</translation>
+    </message>
+    <message>
+        <source>F6</source>
+        <translation>F6</translation>
+    </message>
+    <message>
+        <source>&amp;Panels</source>
+        <translation>Panel&amp;s</translation>
+    </message>
+    <message>
+        <source>F9</source>
+        <translation>F9</translation>
+    </message>
 </context>
 <context>
     <name>fenestra::viewer::AppearancePanel</name>
@@ -4975,6 +4988,53 @@ Kosinus des Winkels zur nächsten der sechs</translation>
     </message>
 </context>
 <context>
+    <name>fenestra::viewer::FileOpener</name>
+    <message>
+        <source>Open as volume</source>
+        <translation>Als Volumen öffnen</translation>
+    </message>
+    <message>
+        <source>Open as labels of this volume</source>
+        <translation>Als Labels dieses Volumens öffnen</translation>
+    </message>
+    <message>
+        <source>Volumes (*.dcm %1);;All files (*)</source>
+        <translation>Volumen (*.dcm %1);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Open a volume</source>
+        <translation>Volumen öffnen</translation>
+    </message>
+    <message>
+        <source>Open a DICOM folder</source>
+        <translation>DICOM-Ordner öffnen</translation>
+    </message>
+    <message>
+        <source>Label maps (*.dcm %1);;All files (*)</source>
+        <translation>Labelkarten (*.dcm %1);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Open a label map</source>
+        <translation>Labelkarte öffnen</translation>
+    </message>
+    <message>
+        <source>Open a folder of masks</source>
+        <translation>Ordner mit Masken öffnen</translation>
+    </message>
+    <message>
+        <source>Tables of labels (*.txt *.tsv *.csv *.label *.ctbl *.lut);;All files (*)</source>
+        <translation>Labeltabellen (*.txt *.tsv *.csv *.label *.ctbl *.lut);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Open a table of labels</source>
+        <translation>Labeltabelle öffnen</translation>
+    </message>
+    <message>
+        <source>How large the voxels are:</source>
+        <translation>Wie groß die Voxel sind:</translation>
+    </message>
+</context>
+<context>
     <name>fenestra::viewer::FocusPanel</name>
     <message>
         <source>No labels. Click a structure in a picture, open a label map (Ctrl+L), or choose a range of values below.</source>
@@ -5605,6 +5665,10 @@ Kosinus des Winkels zur nächsten der sechs</translation>
     <message>
         <source>There are %1 key images; delete some to keep another.</source>
         <translation>Es gibt %1 Schlüsselbilder; löschen Sie einige, um ein weiteres zu behalten.</translation>
+    </message>
+    <message>
+        <source>The patient may lie differently in the two studies: linked without a pair of points, the same coordinates may be other places. Unlink, put both crosshairs onto the same point, and choose Match points; the link is as good as that pair.</source>
+        <translation>Der Patient kann in den beiden Studien anders liegen: Ohne Punktepaar können gleiche Koordinaten andere Stellen sein. Lösen Sie die Kopplung, setzen Sie beide Fadenkreuze auf denselben Punkt und wählen Sie Punkte zuordnen; die Kopplung ist so gut wie dieses Paar.</translation>
     </message>
 </context>
 <context>
@@ -6714,6 +6778,14 @@ Aus: erst die beste Ansicht, dann die beste daneben</translation>
         <source>%1, open</source>
         <translation>%1, geöffnet</translation>
     </message>
+    <message>
+        <source>Open</source>
+        <translation>Öffnen</translation>
+    </message>
+    <message>
+        <source>Open beside</source>
+        <translation>Daneben öffnen</translation>
+    </message>
 </context>
 <context>
     <name>fenestra::viewer::ServerDialog</name>
@@ -7211,6 +7283,65 @@ Aus: erst die beste Ansicht, dann die beste daneben</translation>
     <message>
         <source>Show stroke</source>
         <translation>Strich anzeigen</translation>
+    </message>
+</context>
+<context>
+    <name>fenestra::viewer::StudyLinkBar</name>
+    <message>
+        <source>Link</source>
+        <translation>Koppeln</translation>
+    </message>
+    <message>
+        <source>The crosshair, scrolling, zoom and turning of one study go along with those of the other, by patient position</source>
+        <translation>Fadenkreuz, Blättern, Zoom und Drehen einer Studie gehen mit denen der anderen mit, nach Patientenposition</translation>
+    </message>
+    <message>
+        <source>Match points</source>
+        <translation>Punkte zuordnen</translation>
+    </message>
+    <message>
+        <source>The crosshairs of both studies mark the same point: link the studies by it</source>
+        <translation>Die Fadenkreuze beider Studien bezeichnen denselben Punkt: die Studien danach koppeln</translation>
+    </message>
+    <message>
+        <source>Reset</source>
+        <translation>Zurücksetzen</translation>
+    </message>
+    <message>
+        <source>Forget the pair of points: the same coordinates are the same point</source>
+        <translation>Das Punktepaar vergessen: gleiche Koordinaten sind derselbe Punkt</translation>
+    </message>
+    <message>
+        <source>not linked</source>
+        <translation>nicht gekoppelt</translation>
+    </message>
+    <message>
+        <source>linked by patient position</source>
+        <translation>nach Patientenposition gekoppelt</translation>
+    </message>
+    <message>
+        <source>linked, offset %1, %2, %3 mm</source>
+        <translation>gekoppelt, Versatz %1, %2, %3 mm</translation>
+    </message>
+    <message>
+        <source>Offset of the other study to the patient&apos;s left, posterior and superior</source>
+        <translation>Versatz der anderen Studie nach links, hinten und oben am Patienten</translation>
+    </message>
+    <message>
+        <source>Left study</source>
+        <translation>Linke Studie</translation>
+    </message>
+    <message>
+        <source>Right study</source>
+        <translation>Rechte Studie</translation>
+    </message>
+    <message>
+        <source>%1, active</source>
+        <translation>%1, aktiv</translation>
+    </message>
+    <message>
+        <source>%1 mm apart, where a study ends</source>
+        <translation>%1 mm auseinander, am Ende einer Studie</translation>
     </message>
 </context>
 <context>

@@ -691,53 +691,6 @@
     </message>
 </context>
 <context>
-    <name>FileOpener</name>
-    <message>
-        <source>Open as volume</source>
-        <translation>Abrir como volumen</translation>
-    </message>
-    <message>
-        <source>Open as labels of this volume</source>
-        <translation>Abrir como etiquetas de este volumen</translation>
-    </message>
-    <message>
-        <source>Volumes (*.dcm %1);;All files (*)</source>
-        <translation>Volúmenes (*.dcm %1);;Todos los archivos (*)</translation>
-    </message>
-    <message>
-        <source>Open a volume</source>
-        <translation>Abrir un volumen</translation>
-    </message>
-    <message>
-        <source>Open a DICOM folder</source>
-        <translation>Abrir una carpeta DICOM</translation>
-    </message>
-    <message>
-        <source>Label maps (*.dcm %1);;All files (*)</source>
-        <translation>Mapas de etiquetas (*.dcm %1);;Todos los archivos (*)</translation>
-    </message>
-    <message>
-        <source>Open a label map</source>
-        <translation>Abrir un mapa de etiquetas</translation>
-    </message>
-    <message>
-        <source>Open a folder of masks</source>
-        <translation>Abrir una carpeta de máscaras</translation>
-    </message>
-    <message>
-        <source>Tables of labels (*.txt *.tsv *.csv *.label *.ctbl *.lut);;All files (*)</source>
-        <translation>Tablas de etiquetas (*.txt *.tsv *.csv *.label *.ctbl *.lut);;Todos los archivos (*)</translation>
-    </message>
-    <message>
-        <source>Open a table of labels</source>
-        <translation>Abrir una tabla de etiquetas</translation>
-    </message>
-    <message>
-        <source>How large the voxels are:</source>
-        <translation>Tamaño de los vóxeles:</translation>
-    </message>
-</context>
-<context>
     <name>FramePacer</name>
     <message>
         <source>draft</source>
@@ -4136,6 +4089,66 @@ Coseno del ángulo con la más próxima de las seis</translation>
         <source>Path along the &amp;focus</source>
         <translation>Trayecto por el f&amp;oco</translation>
     </message>
+    <message>
+        <source>Open besi&amp;de</source>
+        <translation>Abrir &amp;junto al actual</translation>
+    </message>
+    <message>
+        <source>&amp;Folder…</source>
+        <translation>Car&amp;peta…</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+B</source>
+        <translation>Ctrl+Shift+B</translation>
+    </message>
+    <message>
+        <source>F&amp;ile…</source>
+        <translation>Arch&amp;ivo…</translation>
+    </message>
+    <message>
+        <source>Ctrl+B</source>
+        <translation>Ctrl+B</translation>
+    </message>
+    <message>
+        <source>T&amp;wo studies</source>
+        <translation>&amp;Dos estudios</translation>
+    </message>
+    <message>
+        <source>&amp;Link by patient position</source>
+        <translation>&amp;Vincular por la posición del paciente</translation>
+    </message>
+    <message>
+        <source>M</source>
+        <translation>M</translation>
+    </message>
+    <message>
+        <source>&amp;Match points</source>
+        <translation>&amp;Emparejar puntos</translation>
+    </message>
+    <message>
+        <source>Shift+M</source>
+        <translation>Shift+M</translation>
+    </message>
+    <message>
+        <source>&amp;Forget the pair of points</source>
+        <translation>&amp;Olvidar el par de puntos</translation>
+    </message>
+    <message>
+        <source>&amp;Other study</source>
+        <translation>O&amp;tro estudio</translation>
+    </message>
+    <message>
+        <source>F6</source>
+        <translation>F6</translation>
+    </message>
+    <message>
+        <source>&amp;Panels</source>
+        <translation>Pa&amp;neles</translation>
+    </message>
+    <message>
+        <source>F9</source>
+        <translation>F9</translation>
+    </message>
 </context>
 <context>
     <name>fenestra::viewer::AppearancePanel</name>
@@ -4975,6 +4988,53 @@ Coseno del ángulo con la más próxima de las seis</translation>
     </message>
 </context>
 <context>
+    <name>fenestra::viewer::FileOpener</name>
+    <message>
+        <source>Open as volume</source>
+        <translation>Abrir como volumen</translation>
+    </message>
+    <message>
+        <source>Open as labels of this volume</source>
+        <translation>Abrir como etiquetas de este volumen</translation>
+    </message>
+    <message>
+        <source>Volumes (*.dcm %1);;All files (*)</source>
+        <translation>Volúmenes (*.dcm %1);;Todos los archivos (*)</translation>
+    </message>
+    <message>
+        <source>Open a volume</source>
+        <translation>Abrir un volumen</translation>
+    </message>
+    <message>
+        <source>Open a DICOM folder</source>
+        <translation>Abrir una carpeta DICOM</translation>
+    </message>
+    <message>
+        <source>Label maps (*.dcm %1);;All files (*)</source>
+        <translation>Mapas de etiquetas (*.dcm %1);;Todos los archivos (*)</translation>
+    </message>
+    <message>
+        <source>Open a label map</source>
+        <translation>Abrir un mapa de etiquetas</translation>
+    </message>
+    <message>
+        <source>Open a folder of masks</source>
+        <translation>Abrir una carpeta de máscaras</translation>
+    </message>
+    <message>
+        <source>Tables of labels (*.txt *.tsv *.csv *.label *.ctbl *.lut);;All files (*)</source>
+        <translation>Tablas de etiquetas (*.txt *.tsv *.csv *.label *.ctbl *.lut);;Todos los archivos (*)</translation>
+    </message>
+    <message>
+        <source>Open a table of labels</source>
+        <translation>Abrir una tabla de etiquetas</translation>
+    </message>
+    <message>
+        <source>How large the voxels are:</source>
+        <translation>Tamaño de los vóxeles:</translation>
+    </message>
+</context>
+<context>
     <name>fenestra::viewer::FocusPanel</name>
     <message>
         <source>No labels. Click a structure in a picture, open a label map (Ctrl+L), or choose a range of values below.</source>
@@ -5605,6 +5665,10 @@ Coseno del ángulo con la más próxima de las seis</translation>
     <message>
         <source>There are %1 key images; delete some to keep another.</source>
         <translation>Hay %1 imágenes clave; elimine algunas para conservar otra.</translation>
+    </message>
+    <message>
+        <source>The patient may lie differently in the two studies: linked without a pair of points, the same coordinates may be other places. Unlink, put both crosshairs onto the same point, and choose Match points; the link is as good as that pair.</source>
+        <translation>El paciente puede estar colocado de otra forma en los dos estudios: sin un par de puntos, las mismas coordenadas pueden ser otros lugares. Desvincule, ponga ambas cruces en el mismo punto y elija Emparejar puntos; el vínculo es tan bueno como ese par.</translation>
     </message>
 </context>
 <context>
@@ -6714,6 +6778,14 @@ Desactivado: primero la mejor vista, luego la mejor junto a ella</translation>
         <source>%1, open</source>
         <translation>%1, abierta</translation>
     </message>
+    <message>
+        <source>Open</source>
+        <translation>Abrir</translation>
+    </message>
+    <message>
+        <source>Open beside</source>
+        <translation>Abrir al lado</translation>
+    </message>
 </context>
 <context>
     <name>fenestra::viewer::ServerDialog</name>
@@ -7211,6 +7283,65 @@ Desactivado: primero la mejor vista, luego la mejor junto a ella</translation>
     <message>
         <source>Show stroke</source>
         <translation>Mostrar trazo</translation>
+    </message>
+</context>
+<context>
+    <name>fenestra::viewer::StudyLinkBar</name>
+    <message>
+        <source>Link</source>
+        <translation>Vincular</translation>
+    </message>
+    <message>
+        <source>The crosshair, scrolling, zoom and turning of one study go along with those of the other, by patient position</source>
+        <translation>La cruz, el desplazamiento, el zoom y el giro de un estudio siguen a los del otro, por la posición del paciente</translation>
+    </message>
+    <message>
+        <source>Match points</source>
+        <translation>Emparejar puntos</translation>
+    </message>
+    <message>
+        <source>The crosshairs of both studies mark the same point: link the studies by it</source>
+        <translation>Las cruces de ambos estudios marcan el mismo punto: vincular los estudios por él</translation>
+    </message>
+    <message>
+        <source>Reset</source>
+        <translation>Restablecer</translation>
+    </message>
+    <message>
+        <source>Forget the pair of points: the same coordinates are the same point</source>
+        <translation>Olvidar el par de puntos: las mismas coordenadas son el mismo punto</translation>
+    </message>
+    <message>
+        <source>not linked</source>
+        <translation>sin vincular</translation>
+    </message>
+    <message>
+        <source>linked by patient position</source>
+        <translation>vinculado por la posición del paciente</translation>
+    </message>
+    <message>
+        <source>linked, offset %1, %2, %3 mm</source>
+        <translation>vinculado, desfase %1, %2, %3 mm</translation>
+    </message>
+    <message>
+        <source>Offset of the other study to the patient&apos;s left, posterior and superior</source>
+        <translation>Desfase del otro estudio hacia la izquierda, atrás y arriba del paciente</translation>
+    </message>
+    <message>
+        <source>Left study</source>
+        <translation>Estudio izquierdo</translation>
+    </message>
+    <message>
+        <source>Right study</source>
+        <translation>Estudio derecho</translation>
+    </message>
+    <message>
+        <source>%1, active</source>
+        <translation>%1, activo</translation>
+    </message>
+    <message>
+        <source>%1 mm apart, where a study ends</source>
+        <translation>a %1 mm, donde termina un estudio</translation>
     </message>
 </context>
 <context>

@@ -691,53 +691,6 @@
     </message>
 </context>
 <context>
-    <name>FileOpener</name>
-    <message>
-        <source>Open as volume</source>
-        <translation>Ouvrir comme volume</translation>
-    </message>
-    <message>
-        <source>Open as labels of this volume</source>
-        <translation>Ouvrir comme étiquettes de ce volume</translation>
-    </message>
-    <message>
-        <source>Volumes (*.dcm %1);;All files (*)</source>
-        <translation>Volumes (*.dcm %1);;Tous les fichiers (*)</translation>
-    </message>
-    <message>
-        <source>Open a volume</source>
-        <translation>Ouvrir un volume</translation>
-    </message>
-    <message>
-        <source>Open a DICOM folder</source>
-        <translation>Ouvrir un dossier DICOM</translation>
-    </message>
-    <message>
-        <source>Label maps (*.dcm %1);;All files (*)</source>
-        <translation>Cartes d&apos;étiquettes (*.dcm %1);;Tous les fichiers (*)</translation>
-    </message>
-    <message>
-        <source>Open a label map</source>
-        <translation>Ouvrir une carte d&apos;étiquettes</translation>
-    </message>
-    <message>
-        <source>Open a folder of masks</source>
-        <translation>Ouvrir un dossier de masques</translation>
-    </message>
-    <message>
-        <source>Tables of labels (*.txt *.tsv *.csv *.label *.ctbl *.lut);;All files (*)</source>
-        <translation>Tables d&apos;étiquettes (*.txt *.tsv *.csv *.label *.ctbl *.lut);;Tous les fichiers (*)</translation>
-    </message>
-    <message>
-        <source>Open a table of labels</source>
-        <translation>Ouvrir une table d&apos;étiquettes</translation>
-    </message>
-    <message>
-        <source>How large the voxels are:</source>
-        <translation>Taille des voxels&#xa0;:</translation>
-    </message>
-</context>
-<context>
     <name>FramePacer</name>
     <message>
         <source>draft</source>
@@ -4136,6 +4089,66 @@ Cosinus de l&apos;angle avec la plus proche des six</translation>
         <source>Path along the &amp;focus</source>
         <translation>Trajet le l&amp;ong de la cible</translation>
     </message>
+    <message>
+        <source>Open besi&amp;de</source>
+        <translation>Ouvrir à &amp;côté</translation>
+    </message>
+    <message>
+        <source>&amp;Folder…</source>
+        <translation>&amp;Dossier…</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+B</source>
+        <translation>Ctrl+Shift+B</translation>
+    </message>
+    <message>
+        <source>F&amp;ile…</source>
+        <translation>F&amp;ichier…</translation>
+    </message>
+    <message>
+        <source>Ctrl+B</source>
+        <translation>Ctrl+B</translation>
+    </message>
+    <message>
+        <source>T&amp;wo studies</source>
+        <translation>D&amp;eux examens</translation>
+    </message>
+    <message>
+        <source>&amp;Link by patient position</source>
+        <translation>&amp;Lier par la position du patient</translation>
+    </message>
+    <message>
+        <source>M</source>
+        <translation>M</translation>
+    </message>
+    <message>
+        <source>&amp;Match points</source>
+        <translation>&amp;Apparier les points</translation>
+    </message>
+    <message>
+        <source>Shift+M</source>
+        <translation>Shift+M</translation>
+    </message>
+    <message>
+        <source>&amp;Forget the pair of points</source>
+        <translation>&amp;Oublier la paire de points</translation>
+    </message>
+    <message>
+        <source>&amp;Other study</source>
+        <translation>A&amp;utre examen</translation>
+    </message>
+    <message>
+        <source>F6</source>
+        <translation>F6</translation>
+    </message>
+    <message>
+        <source>&amp;Panels</source>
+        <translation>Pa&amp;nneaux</translation>
+    </message>
+    <message>
+        <source>F9</source>
+        <translation>F9</translation>
+    </message>
 </context>
 <context>
     <name>fenestra::viewer::AppearancePanel</name>
@@ -4975,6 +4988,53 @@ Cosinus de l&apos;angle avec la plus proche des six</translation>
     </message>
 </context>
 <context>
+    <name>fenestra::viewer::FileOpener</name>
+    <message>
+        <source>Open as volume</source>
+        <translation>Ouvrir comme volume</translation>
+    </message>
+    <message>
+        <source>Open as labels of this volume</source>
+        <translation>Ouvrir comme étiquettes de ce volume</translation>
+    </message>
+    <message>
+        <source>Volumes (*.dcm %1);;All files (*)</source>
+        <translation>Volumes (*.dcm %1);;Tous les fichiers (*)</translation>
+    </message>
+    <message>
+        <source>Open a volume</source>
+        <translation>Ouvrir un volume</translation>
+    </message>
+    <message>
+        <source>Open a DICOM folder</source>
+        <translation>Ouvrir un dossier DICOM</translation>
+    </message>
+    <message>
+        <source>Label maps (*.dcm %1);;All files (*)</source>
+        <translation>Cartes d&apos;étiquettes (*.dcm %1);;Tous les fichiers (*)</translation>
+    </message>
+    <message>
+        <source>Open a label map</source>
+        <translation>Ouvrir une carte d&apos;étiquettes</translation>
+    </message>
+    <message>
+        <source>Open a folder of masks</source>
+        <translation>Ouvrir un dossier de masques</translation>
+    </message>
+    <message>
+        <source>Tables of labels (*.txt *.tsv *.csv *.label *.ctbl *.lut);;All files (*)</source>
+        <translation>Tables d&apos;étiquettes (*.txt *.tsv *.csv *.label *.ctbl *.lut);;Tous les fichiers (*)</translation>
+    </message>
+    <message>
+        <source>Open a table of labels</source>
+        <translation>Ouvrir une table d&apos;étiquettes</translation>
+    </message>
+    <message>
+        <source>How large the voxels are:</source>
+        <translation>Taille des voxels&#xa0;:</translation>
+    </message>
+</context>
+<context>
     <name>fenestra::viewer::FocusPanel</name>
     <message>
         <source>No labels. Click a structure in a picture, open a label map (Ctrl+L), or choose a range of values below.</source>
@@ -5605,6 +5665,10 @@ Cosinus de l&apos;angle avec la plus proche des six</translation>
     <message>
         <source>There are %1 key images; delete some to keep another.</source>
         <translation>Il y a&#xa0;%1 images clés&#xa0;; supprimez-en pour en garder une autre.</translation>
+    </message>
+    <message>
+        <source>The patient may lie differently in the two studies: linked without a pair of points, the same coordinates may be other places. Unlink, put both crosshairs onto the same point, and choose Match points; the link is as good as that pair.</source>
+        <translation>Le patient peut être placé autrement dans les deux examens : sans paire de points, les mêmes coordonnées peuvent être d’autres endroits. Déliez, placez les deux réticules sur le même point et choisissez Apparier les points ; le lien vaut ce que vaut cette paire.</translation>
     </message>
 </context>
 <context>
@@ -6714,6 +6778,14 @@ Sinon&#xa0;: d&apos;abord la meilleure vue, puis la meilleure à côté</transla
         <source>%1, open</source>
         <translation>%1, ouverte</translation>
     </message>
+    <message>
+        <source>Open</source>
+        <translation>Ouvrir</translation>
+    </message>
+    <message>
+        <source>Open beside</source>
+        <translation>Ouvrir à côté</translation>
+    </message>
 </context>
 <context>
     <name>fenestra::viewer::ServerDialog</name>
@@ -7211,6 +7283,65 @@ Sinon&#xa0;: d&apos;abord la meilleure vue, puis la meilleure à côté</transla
     <message>
         <source>Show stroke</source>
         <translation>Afficher le trait</translation>
+    </message>
+</context>
+<context>
+    <name>fenestra::viewer::StudyLinkBar</name>
+    <message>
+        <source>Link</source>
+        <translation>Lier</translation>
+    </message>
+    <message>
+        <source>The crosshair, scrolling, zoom and turning of one study go along with those of the other, by patient position</source>
+        <translation>Le réticule, le défilement, le zoom et la rotation d’un examen suivent ceux de l’autre, par la position du patient</translation>
+    </message>
+    <message>
+        <source>Match points</source>
+        <translation>Apparier les points</translation>
+    </message>
+    <message>
+        <source>The crosshairs of both studies mark the same point: link the studies by it</source>
+        <translation>Les réticules des deux examens marquent le même point : lier les examens par lui</translation>
+    </message>
+    <message>
+        <source>Reset</source>
+        <translation>Réinitialiser</translation>
+    </message>
+    <message>
+        <source>Forget the pair of points: the same coordinates are the same point</source>
+        <translation>Oublier la paire de points : les mêmes coordonnées sont le même point</translation>
+    </message>
+    <message>
+        <source>not linked</source>
+        <translation>non lié</translation>
+    </message>
+    <message>
+        <source>linked by patient position</source>
+        <translation>lié par la position du patient</translation>
+    </message>
+    <message>
+        <source>linked, offset %1, %2, %3 mm</source>
+        <translation>lié, décalage %1, %2, %3 mm</translation>
+    </message>
+    <message>
+        <source>Offset of the other study to the patient&apos;s left, posterior and superior</source>
+        <translation>Décalage de l’autre examen vers la gauche, l’arrière et le haut du patient</translation>
+    </message>
+    <message>
+        <source>Left study</source>
+        <translation>Examen de gauche</translation>
+    </message>
+    <message>
+        <source>Right study</source>
+        <translation>Examen de droite</translation>
+    </message>
+    <message>
+        <source>%1, active</source>
+        <translation>%1, actif</translation>
+    </message>
+    <message>
+        <source>%1 mm apart, where a study ends</source>
+        <translation>à %1 mm, où un examen finit</translation>
     </message>
 </context>
 <context>

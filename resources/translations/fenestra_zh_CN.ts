@@ -691,53 +691,6 @@
     </message>
 </context>
 <context>
-    <name>FileOpener</name>
-    <message>
-        <source>Open as volume</source>
-        <translation>作为体数据打开</translation>
-    </message>
-    <message>
-        <source>Open as labels of this volume</source>
-        <translation>作为此体数据的标签打开</translation>
-    </message>
-    <message>
-        <source>Volumes (*.dcm %1);;All files (*)</source>
-        <translation>体数据 (*.dcm %1);;所有文件 (*)</translation>
-    </message>
-    <message>
-        <source>Open a volume</source>
-        <translation>打开体数据</translation>
-    </message>
-    <message>
-        <source>Open a DICOM folder</source>
-        <translation>打开 DICOM 文件夹</translation>
-    </message>
-    <message>
-        <source>Label maps (*.dcm %1);;All files (*)</source>
-        <translation>标签图 (*.dcm %1);;所有文件 (*)</translation>
-    </message>
-    <message>
-        <source>Open a label map</source>
-        <translation>打开标签图</translation>
-    </message>
-    <message>
-        <source>Open a folder of masks</source>
-        <translation>打开掩膜文件夹</translation>
-    </message>
-    <message>
-        <source>Tables of labels (*.txt *.tsv *.csv *.label *.ctbl *.lut);;All files (*)</source>
-        <translation>标签表 (*.txt *.tsv *.csv *.label *.ctbl *.lut);;所有文件 (*)</translation>
-    </message>
-    <message>
-        <source>Open a table of labels</source>
-        <translation>打开标签表</translation>
-    </message>
-    <message>
-        <source>How large the voxels are:</source>
-        <translation>体素大小：</translation>
-    </message>
-</context>
-<context>
     <name>FramePacer</name>
     <message>
         <source>draft</source>
@@ -4135,6 +4088,66 @@ Cosine of the angle to the nearest of the six</source>
         <source>Path along the &amp;focus</source>
         <translation>沿焦点的路径(&amp;F)</translation>
     </message>
+    <message>
+        <source>Open besi&amp;de</source>
+        <translation>在旁边打开(&amp;D)</translation>
+    </message>
+    <message>
+        <source>&amp;Folder…</source>
+        <translation>文件夹(&amp;F)…</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+B</source>
+        <translation>Ctrl+Shift+B</translation>
+    </message>
+    <message>
+        <source>F&amp;ile…</source>
+        <translation>文件(&amp;I)…</translation>
+    </message>
+    <message>
+        <source>Ctrl+B</source>
+        <translation>Ctrl+B</translation>
+    </message>
+    <message>
+        <source>T&amp;wo studies</source>
+        <translation>两个检查(&amp;W)</translation>
+    </message>
+    <message>
+        <source>&amp;Link by patient position</source>
+        <translation>按患者位置联动(&amp;L)</translation>
+    </message>
+    <message>
+        <source>M</source>
+        <translation>M</translation>
+    </message>
+    <message>
+        <source>&amp;Match points</source>
+        <translation>匹配点(&amp;M)</translation>
+    </message>
+    <message>
+        <source>Shift+M</source>
+        <translation>Shift+M</translation>
+    </message>
+    <message>
+        <source>&amp;Forget the pair of points</source>
+        <translation>忘记点对(&amp;F)</translation>
+    </message>
+    <message>
+        <source>&amp;Other study</source>
+        <translation>另一个检查(&amp;O)</translation>
+    </message>
+    <message>
+        <source>F6</source>
+        <translation>F6</translation>
+    </message>
+    <message>
+        <source>&amp;Panels</source>
+        <translation>面板(&amp;P)</translation>
+    </message>
+    <message>
+        <source>F9</source>
+        <translation>F9</translation>
+    </message>
 </context>
 <context>
     <name>fenestra::viewer::AppearancePanel</name>
@@ -4974,6 +4987,53 @@ Cosine of the angle to the nearest of the six</source>
     </message>
 </context>
 <context>
+    <name>fenestra::viewer::FileOpener</name>
+    <message>
+        <source>Open as volume</source>
+        <translation>作为体数据打开</translation>
+    </message>
+    <message>
+        <source>Open as labels of this volume</source>
+        <translation>作为此体数据的标签打开</translation>
+    </message>
+    <message>
+        <source>Volumes (*.dcm %1);;All files (*)</source>
+        <translation>体数据 (*.dcm %1);;所有文件 (*)</translation>
+    </message>
+    <message>
+        <source>Open a volume</source>
+        <translation>打开体数据</translation>
+    </message>
+    <message>
+        <source>Open a DICOM folder</source>
+        <translation>打开 DICOM 文件夹</translation>
+    </message>
+    <message>
+        <source>Label maps (*.dcm %1);;All files (*)</source>
+        <translation>标签图 (*.dcm %1);;所有文件 (*)</translation>
+    </message>
+    <message>
+        <source>Open a label map</source>
+        <translation>打开标签图</translation>
+    </message>
+    <message>
+        <source>Open a folder of masks</source>
+        <translation>打开掩膜文件夹</translation>
+    </message>
+    <message>
+        <source>Tables of labels (*.txt *.tsv *.csv *.label *.ctbl *.lut);;All files (*)</source>
+        <translation>标签表 (*.txt *.tsv *.csv *.label *.ctbl *.lut);;所有文件 (*)</translation>
+    </message>
+    <message>
+        <source>Open a table of labels</source>
+        <translation>打开标签表</translation>
+    </message>
+    <message>
+        <source>How large the voxels are:</source>
+        <translation>体素大小：</translation>
+    </message>
+</context>
+<context>
     <name>fenestra::viewer::FocusPanel</name>
     <message>
         <source>No labels. Click a structure in a picture, open a label map (Ctrl+L), or choose a range of values below.</source>
@@ -5603,6 +5663,10 @@ Cosine of the angle to the nearest of the six</source>
     <message>
         <source>There are %1 key images; delete some to keep another.</source>
         <translation>已有 %1 幅关键图像；请删除一些再保留新的。</translation>
+    </message>
+    <message>
+        <source>The patient may lie differently in the two studies: linked without a pair of points, the same coordinates may be other places. Unlink, put both crosshairs onto the same point, and choose Match points; the link is as good as that pair.</source>
+        <translation>患者在两个检查中的体位可能不同：没有点对时，相同的坐标可能是不同的位置。请取消联动，将两条十字线放在同一点上，然后选择“匹配点”；联动的准确度取决于该点对。</translation>
     </message>
 </context>
 <context>
@@ -6708,6 +6772,14 @@ Off: first the best view, then the best one beside it</source>
         <source>%1, open</source>
         <translation>%1，已打开</translation>
     </message>
+    <message>
+        <source>Open</source>
+        <translation>打开</translation>
+    </message>
+    <message>
+        <source>Open beside</source>
+        <translation>在旁边打开</translation>
+    </message>
 </context>
 <context>
     <name>fenestra::viewer::ServerDialog</name>
@@ -7204,6 +7276,65 @@ Off: first the best view, then the best one beside it</source>
     <message>
         <source>Show stroke</source>
         <translation>显示笔画</translation>
+    </message>
+</context>
+<context>
+    <name>fenestra::viewer::StudyLinkBar</name>
+    <message>
+        <source>Link</source>
+        <translation>联动</translation>
+    </message>
+    <message>
+        <source>The crosshair, scrolling, zoom and turning of one study go along with those of the other, by patient position</source>
+        <translation>一个检查的十字线、翻层、缩放和旋转按患者位置随另一个检查一起变化</translation>
+    </message>
+    <message>
+        <source>Match points</source>
+        <translation>匹配点</translation>
+    </message>
+    <message>
+        <source>The crosshairs of both studies mark the same point: link the studies by it</source>
+        <translation>两个检查的十字线标记同一点：以此联动两个检查</translation>
+    </message>
+    <message>
+        <source>Reset</source>
+        <translation>重置</translation>
+    </message>
+    <message>
+        <source>Forget the pair of points: the same coordinates are the same point</source>
+        <translation>忘记点对：相同的坐标即同一点</translation>
+    </message>
+    <message>
+        <source>not linked</source>
+        <translation>未联动</translation>
+    </message>
+    <message>
+        <source>linked by patient position</source>
+        <translation>按患者位置联动</translation>
+    </message>
+    <message>
+        <source>linked, offset %1, %2, %3 mm</source>
+        <translation>已联动，偏移 %1、%2、%3 mm</translation>
+    </message>
+    <message>
+        <source>Offset of the other study to the patient&apos;s left, posterior and superior</source>
+        <translation>另一个检查向患者左侧、后方和上方的偏移</translation>
+    </message>
+    <message>
+        <source>Left study</source>
+        <translation>左侧检查</translation>
+    </message>
+    <message>
+        <source>Right study</source>
+        <translation>右侧检查</translation>
+    </message>
+    <message>
+        <source>%1, active</source>
+        <translation>%1，活动</translation>
+    </message>
+    <message>
+        <source>%1 mm apart, where a study ends</source>
+        <translation>相距 %1 mm，已到一个检查的边缘</translation>
     </message>
 </context>
 <context>

@@ -6,6 +6,7 @@
 #include <QMainWindow>
 #include <QMenu>
 #include <QMenuBar>
+#include <QSignalSpy>
 
 #include "tests/gui/Conventions.h"
 #include "tests/gui/Patience.h"
@@ -17,6 +18,7 @@
 #include "viewer/guide/Guide.h"
 #include "viewer/guide/GuideWindow.h"
 #include "viewer/guide/WelcomePage.h"
+#include "viewer/model/StudyLink.h"
 
 namespace fenestra::viewer {
 
@@ -45,6 +47,29 @@ void Conventions::addStudyCases(Cases& cases) {
     }
     open(markedBall());
   };
+  cases["M"] = cases["Shift+M"] = cases["F6"] = cases["F9"] = [this] {
+    MainWindow& beside = window_->showBeside();
+    QSignalSpy opened(&beside, &MainWindow::opened);
+    beside.open([](const io::Progress&) { return markedBall(); });
+    ASSERT_TRUE(opened.count() > 0 || opened.wait(patience));
+    beside.workspace().cursor.moveTo({4, 4, 4});
+    cursor().moveTo({0, 0, 0});
+    press("Shift+M");
+    EXPECT_TRUE(window_->link().isMatched());
+    press("M");
+    EXPECT_FALSE(window_->link().isLinked());
+    press("M");
+    EXPECT_TRUE(window_->link().isLinked());
+    const QWidget* focus = window_->findChild<QWidget*>(QStringLiteral("focusDock"));
+    expectToggle("F9", [focus] { return focus->isVisible(); });
+    press("F6");
+    EXPECT_TRUE(QTest::qWaitFor([&] { return QApplication::activeWindow() == &beside; }, patience));
+    beside.sessions().questions().saveChanges = [](const QStringList&) { return SessionQuestions::Answer::Discard; };
+    beside.close();
+    QApplication::setActiveWindow(window_.get());
+    window_->resize(1280, 800);
+    waitUntilDrawn();
+  };
   cases["Ctrl+W"] = [this] {
     window_->sessions().questions().saveChanges = [](const QStringList&) { return SessionQuestions::Answer::Discard; };
     press("Ctrl+W");
@@ -55,7 +80,7 @@ void Conventions::addStudyCases(Cases& cases) {
 }
 
 void Conventions::addFileAndEditCases(Cases& cases) {
-  for (const char* keys : {"Ctrl+Shift+O", "Ctrl+O", "Ctrl+L", "Ctrl+E", "?"})
+  for (const char* keys : {"Ctrl+Shift+O", "Ctrl+O", "Ctrl+L", "Ctrl+E", "Ctrl+B", "Ctrl+Shift+B", "?"})
     cases[keys] = [this, keys] { expectDialog(keys); };
   for (const char* keys : {"Ctrl+S", "Ctrl+Shift+S"})
     cases[keys] = [this, keys] {

@@ -30,6 +30,7 @@ class FileOpener;
 class Guide;
 class RegionGrower;
 class Sessions;
+class StudyLink;
 class Tour;
 class Verification;
 class ViewArea;
@@ -55,10 +56,14 @@ class Actions : public QObject {
     std::function<void()> resetLayout;
     std::function<void()> keepKeyImage;
     std::function<void()> saveResults;
+    std::function<void()> showOther;  ///< the window with the study beside
+    std::function<void()> quit;
     CutawayPanel& cutaway;
     ArchiveDock& archive;
     Guide& guide;
     Tour& tour;
+    StudyLink& link;
+    int side;  ///< of the link
   };
 
   /// The window owns this.
@@ -86,6 +91,11 @@ class Actions : public QObject {
   void addExports(QMenu& menu);
   /// Enabled while something that archives keep is open.
   void addSending(QMenu& menu);
+  void addOpenBeside(QMenu& menu);
+  /// How two studies that are open side by side go together.
+  void makeCompareMenu(QMenu& menu);
+  /// Gives the panels' room to the pictures while two studies share the screen.
+  void addSidePanels(QMenu& menu);
   void makeEditMenu();
   void showSettings();
   void makeViewMenu();

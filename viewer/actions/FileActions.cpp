@@ -52,6 +52,7 @@ void Actions::makeFileMenu() {
 
   QMenu* menu = targets_.window.menuBar()->addMenu(tr("&File"));
   menu->addActions({folder, file, session});
+  addOpenBeside(*menu);
   recent_ = menu->addMenu(tr("&Recent"));
   connect(recent_, &QMenu::aboutToShow, this, &Actions::fillRecentMenu);
   samples_ = menu->addMenu(tr("&Built-in phantoms"));
@@ -72,7 +73,8 @@ void Actions::makeFileMenu() {
   addSending(*menu);
   menu->addSeparator();
   menu->addAction(volumeAction(tr("&Close study"), QKeySequence(tr("Ctrl+W")), [this] { targets_.closeStudy(); }));
-  menu->addAction(action(tr("&Quit"), QKeySequence::Quit, [this] { targets_.window.close(); }));
+  menu->actions().constLast()->setObjectName(QStringLiteral("closeStudy"));
+  menu->addAction(action(tr("&Quit"), QKeySequence::Quit, [this] { targets_.quit(); }));
   tools_ << QList<QAction*>{folder, file, labels, save};
 }
 

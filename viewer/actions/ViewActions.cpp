@@ -33,6 +33,7 @@ void Actions::makeViewMenu() {
   menu->addMenu(slices);
   menu->addSeparator();
   makeLayoutMenu(*menu);
+  makeCompareMenu(*menu);
   menu->addAction(action(tr("All &views"), QKeySequence(tr("Esc")), [this] { stop(); }));
   menu->addAction(
       volumeAction(tr("Keep a key image"), QKeySequence(tr("Ctrl+D")), [this] { targets_.keepKeyImage(); }));

@@ -29,11 +29,12 @@ class NoticeBar : public QWidget {
     Saving,         ///< a session
     Writing,        ///< pictures, labels, surfaces, measures
     Verifying,
-    Views,   ///< drawing the 3-D views
-    Region,  ///< growing a region
-    Labels,  ///< editing labels
-    Looks,   ///< presets, transfer functions and strokes of the user; they outlive the study
-    Offered  ///< data that was named at the start; it outlives the study
+    Views,    ///< drawing the 3-D views
+    Region,   ///< growing a region
+    Labels,   ///< editing labels
+    Linking,  ///< two studies that are open side by side
+    Looks,    ///< presets, transfer functions and strokes of the user; they outlive the study
+    Offered   ///< data that was named at the start; it outlives the study
   };
 
   explicit NoticeBar(QWidget* parent = nullptr);

@@ -79,12 +79,14 @@ void FileOpener::open(const std::vector<std::filesystem::path>& paths) {
   }
 }
 
-void FileOpener::openSeries(const std::string& series) {
-  if (!sessions_.mayGo()) return;
+void FileOpener::openSeries(const std::string& series) { openSeriesOf(document_.study(), series); }
+
+void FileOpener::openSeriesOf(const io::Study& study, const std::string& series) {
   io::DataRequest chosen;
-  chosen.path = document_.study().session.volume.path;
+  chosen.path = study.session.volume.path;
   chosen.series = series;
-  chosen.spacing = document_.study().session.volume.spacing;
+  chosen.spacing = study.session.volume.spacing;
+  if (!sessions_.mayGo()) return;
   load(chosen);
 }
 
@@ -111,9 +113,21 @@ void FileOpener::drop(const std::vector<std::filesystem::path>& paths, QPoint at
   });
 }
 
-void FileOpener::chooseFile() {
+std::optional<std::filesystem::path> FileOpener::askForVolume() {
   const QString kinds = tr("Volumes (*.dcm %1);;All files (*)").arg(volumePatterns());
-  if (const auto file = askForFile(&window_, {tr("Open a volume"), kinds})) open({*file});
+  return askForFile(&window_, {tr("Open a volume"), kinds});
+}
+
+void FileOpener::chooseFile() {
+  if (const auto file = askForVolume()) open({*file});
+}
+
+void FileOpener::chooseFileBeside() {
+  if (const auto file = askForVolume()) Q_EMIT besideWanted({*file});
+}
+
+void FileOpener::chooseFolderBeside() {
+  if (const auto folder = askForFolder(&window_, {tr("Open a DICOM folder")})) Q_EMIT besideWanted({*folder});
 }
 
 void FileOpener::chooseFolder() {

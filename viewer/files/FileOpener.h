@@ -17,7 +17,8 @@ class QWidget;
 
 namespace fenestra::io {
 struct DataRequest;
-}
+struct Study;
+}  // namespace fenestra::io
 
 namespace fenestra::viewer {
 
@@ -55,13 +56,21 @@ class FileOpener : public QObject {
   void chooseSeries() { Q_EMIT seriesWanted(); }
   /// Opens another series of what is open, by its id.
   void openSeries(const std::string& series);
+  /// Opens a series of what is open in another window.
+  void openSeriesOf(const io::Study& study, const std::string& series);
+  /// Asks for data to open beside what is open.
+  void chooseFileBeside();
+  void chooseFolderBeside();
   /// Opens the next series of the folder by its number, or with -1 the one before; from the last on to the first.
   void openNeighbour(int step);
 
  Q_SIGNALS:
   void seriesWanted();
+  /// Data are to be opened in the window beside.
+  void besideWanted(const std::vector<std::filesystem::path>& paths);
 
  private:
+  std::optional<std::filesystem::path> askForVolume();
   /// Reads data and shows them; asks for the size of voxels where the file does not say it.
   void load(const io::DataRequest& data);
   /// Reads data, in the chosen look and with the user's own defaults; see SettingOwners.h.

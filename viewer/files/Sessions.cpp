@@ -341,6 +341,11 @@ bool Sessions::startRecovery(const fs::path& folder) {
   return false;
 }
 
+void Sessions::shareCopies(const Sessions& first) {
+  copiesFolder_ = first.copiesFolder_;
+  setKeepsCopies(keepsCopies_);
+}
+
 fs::path Sessions::recoveryFolder() {
   const QString state = qEnvironmentVariable("XDG_STATE_HOME", QDir::homePath() + QStringLiteral("/.local/state"));
   return toPath(state) / "fenestra" / "sessions";

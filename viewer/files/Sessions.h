@@ -77,6 +77,8 @@ class Sessions : public QObject {
   /// Starts saving copies to `folder`, and offers to restore the copies of a run that crashed. True when the user
   /// restores one.
   bool startRecovery(const std::filesystem::path& folder);
+  /// Saves copies where another window of this run does, whose startRecovery() has asked for those of earlier runs.
+  void shareCopies(const Sessions& first);
   /// $XDG_STATE_HOME/fenestra/sessions; ~/.local/state replaces an unset variable.
   static std::filesystem::path recoveryFolder();
 

@@ -5,6 +5,7 @@
 
 #include <QJsonArray>
 #include <QJsonDocument>
+#include <QScopedValueRollback>
 
 #include "rendering/settings/Settings.h"
 #include "rendering/viewpoints/Sphere.h"
@@ -139,6 +140,24 @@ void Preferences::set(Preference which, int wanted) {
   store(QLatin1String(entry.key), entry.kind == Kind::Switch ? QVariant(number != 0) : QVariant(number));
   if (which == Preference::KeepsRecent && number == 0) clearRecent();
   Q_EMIT changed(which);
+}
+
+void Preferences::shareWith(Preferences& other) {
+  followOther(other);
+  other.followOther(*this);
+}
+
+void Preferences::followOther(const Preferences& from) {
+  // Stored settings are the same file, which all of this process read through one copy.
+  const auto pass = [this, &from](const auto& tell) {
+    if (from.follows_) return;
+    const QScopedValueRollback<bool> guard(follows_, true);
+    if (!settings_) unstored_ = from.unstored_;
+    tell();
+  };
+  connect(&from, &Preferences::changed, this,
+          [this, pass](Preference which) { pass([this, which] { Q_EMIT changed(which); }); });
+  connect(&from, &Preferences::ownChanged, this, [this, pass] { pass([this] { Q_EMIT ownChanged(); }); });
 }
 
 const char* Preferences::language() const {

@@ -68,6 +68,8 @@ class Preferences : public QObject {
   int value(Preference which) const;
   bool isOn(Preference which) const { return value(which) != 0; }
   void set(Preference which, int value);
+  /// For two windows of one run: what is set in one shows in the other, too. Both outlive the other's use.
+  void shareWith(Preferences& other);
   /// Sets every entry of the table to its default.
   void restoreDefaults();
   /// The look that data without a session is opened with: `look`, with the user's own defaults in it.
@@ -127,12 +129,15 @@ class Preferences : public QObject {
   QVariant value(const QString& key, const QVariant& otherwise = {}) const;
   void store(const QString& key, const QVariant& value);
   void remove(const QString& key);
+  /// Passes on what `from` says has changed.
+  void followOther(const Preferences& from);
   QVariantList archiveList(const QString& key) const;
   void setArchiveList(const QString& key, const QVariantList& list);
 
   std::optional<QSettings> settings_;  ///< empty when transient
   QHash<QString, QVariant> unstored_;  ///< when transient
   QStringList hiddenRecent_;           ///< added while the patient is hidden, latest first
+  bool follows_ = false;               ///< what changes now was set in another window
 };
 
 }  // namespace fenestra::viewer

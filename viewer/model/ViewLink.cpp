@@ -31,6 +31,25 @@ Camera projected(Camera camera, Projection projection, const Camera& placed) {
   return camera;
 }
 
+/// mm from the bottom to the top of the picture, at the target.
+double heightAtTarget(const Camera& camera) {
+  if (camera.projection == Projection::Orthographic) return camera.orthographicHeight;
+  return 2.0 * std::tan(glm::radians(camera.verticalFov) * 0.5) * glm::distance(camera.eye, camera.target);
+}
+
+/// `camera`, with its target and its projection, in the direction and at the scale of another one.
+Camera likened(Camera camera, const Camera& like) {
+  const Camera::Axes axes = like.axes();
+  double distance = glm::distance(camera.eye, camera.target);
+  if (camera.projection == Projection::Orthographic)
+    camera.orthographicHeight = heightAtTarget(like);
+  else
+    distance = heightAtTarget(like) * 0.5 / std::tan(glm::radians(camera.verticalFov) * 0.5);
+  camera.eye = camera.target - axes.forward * distance;
+  camera.up = axes.up;
+  return camera;
+}
+
 }  // namespace
 
 Camera between(const Camera& from, const Camera& to, double part) {
@@ -145,6 +164,11 @@ void ViewLink::zoom(int view, double factor) {
 void ViewLink::pan(int view, double rightMm, double upMm) {
   flight_.stop();
   set(view, camera(view).panned(rightMm, upMm));
+}
+
+void ViewLink::lookAs(int view, const Camera& like) {
+  flight_.stop();
+  set(view, likened(camera(view), like));
 }
 
 void ViewLink::setProjection(Projection projection) {

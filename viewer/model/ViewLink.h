@@ -66,6 +66,9 @@ class ViewLink : public QObject {
   /// Brings a view, and its linked partner, `factor` times nearer.
   void zoom(int view, double factor);
   void pan(int view, double rightMm, double upMm);
+  /// Turns a view to look as `like` does, a millimetre at its target as large; its own target stays, and so does its
+  /// partner. Ends a flight.
+  void lookAs(int view, const Camera& like);
   /// A drag of a view has ended: its cameras stay where they are.
   void release() { Q_EMIT released(); }
   /// Changes the projection of both views. Objects at the target keep their size on screen.

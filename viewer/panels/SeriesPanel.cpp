@@ -5,6 +5,7 @@
 #include <tuple>
 
 #include <QHeaderView>
+#include <QMenu>
 #include <QMimeData>
 #include <QTreeWidget>
 #include <QTreeWidgetItemIterator>
@@ -74,8 +75,22 @@ SeriesPanel::SeriesPanel(const Document& document, const ViewOptions& options, Q
   column->addWidget(list_);
   connect(&document, &Document::volumeChanged, this, &SeriesPanel::follow);
   connect(&options, &ViewOptions::changed, this, &SeriesPanel::follow);
+  list_->setContextMenuPolicy(Qt::CustomContextMenu);
+  connect(list_, &QTreeWidget::customContextMenuRequested, this, &SeriesPanel::showMenu);
   connect(list_, &QTreeWidget::itemActivated, this,
           [this](QTreeWidgetItem* row) { choose(row->data(0, seriesIdRole).toString()); });
+}
+
+void SeriesPanel::showMenu(QPoint at) {
+  const QTreeWidgetItem* row = list_->itemAt(at);
+  const QString series = row ? row->data(0, seriesIdRole).toString() : QString();
+  if (series.isEmpty()) return;
+  auto* menu = new QMenu(this);
+  menu->setAttribute(Qt::WA_DeleteOnClose);
+  connect(menu->addAction(tr("Open")), &QAction::triggered, this, [this, series] { choose(series); });
+  connect(menu->addAction(tr("Open beside")), &QAction::triggered, this,
+          [this, series] { Q_EMIT besideChosen(series); });
+  menu->popup(list_->viewport()->mapToGlobal(at));
 }
 
 void SeriesPanel::choose(const QString& series) {

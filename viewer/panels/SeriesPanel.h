@@ -43,6 +43,8 @@ class SeriesPanel : public QWidget {
  Q_SIGNALS:
   /// `series` is an id; never that of the series that is open.
   void chosen(const QString& series);
+  /// It is to be opened beside what is open.
+  void besideChosen(const QString& series);
 
  protected:
   void showEvent(QShowEvent* event) override;
@@ -56,6 +58,7 @@ class SeriesPanel : public QWidget {
   QTreeWidgetItem* parentOf(const io::SeriesInfo& series) const;
   SeriesNames names() const;
   void addRow(const io::SeriesInfo& series, QTreeWidgetItem* parent);
+  void showMenu(QPoint at);
   void makePictures(const std::vector<io::SeriesInfo>& series);
   void showPicture(const QString& series);
 

@@ -75,6 +75,9 @@ class SliceView : public QWidget {
   /// Shows a millimetre as one on the screen, around the middle. False where the screen does not say how large it is.
   bool showTrueSize();
   bool isTrueSize() const;
+  /// Device-independent pixels of a millimetre, and showing so many, around the crosshair.
+  double scale() const { return pixelsPerMm(); }
+  void setScale(double pixelsPerMm);
 
   /// Where a world point lies in the widget when projected onto the slice, and the point of the shown slice at a place
   /// in the widget.
@@ -104,6 +107,8 @@ class SliceView : public QWidget {
   /// `measure` is its place in Document::measures().
   void measureMenuRequested(std::size_t measure, QPoint globalPosition);
   void maximiseRequested();
+  /// The user has zoomed; see scale().
+  void scaled();
   /// A click without a modifier, at a world position.
   void picked(glm::dvec3 world);
   /// The click that was reported last was the first half of a double click.
@@ -158,6 +163,8 @@ class SliceView : public QWidget {
   void readSteps(Steps& steps, std::shared_ptr<const LabelMap> of) const;
   void collectOutlines(const std::vector<char>& focused);
   void zoomAt(QPointF position, double factor);
+  /// As the user does it by the mouse or a key.
+  void zoomByHand(QPointF position, double factor);
   void click(QPointF position, Qt::KeyboardModifiers modifiers);
   double pixelsPerMm() const;
   /// Window and level in one line, or in two where one would reach the edge's letter.

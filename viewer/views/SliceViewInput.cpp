@@ -54,7 +54,7 @@ void SliceView::mouseMoveEvent(QMouseEvent* event) {
     centre_ -= mmOfMove(move);
     update();
   } else if (buttons & Qt::RightButton) {
-    zoomAt(pressed_, std::exp(-0.01 * move.y()));
+    zoomByHand(pressed_, std::exp(-0.01 * move.y()));
   }
 }
 
@@ -107,11 +107,16 @@ void SliceView::zoomAt(QPointF position, double factor) {
   update();
 }
 
+void SliceView::zoomByHand(QPointF position, double factor) {
+  zoomAt(position, factor);
+  Q_EMIT scaled();
+}
+
 void SliceView::wheelEvent(QWheelEvent* event) {
   if (!document_.hasVolume() || tools_.wheel(*event)) return;
   const double angle = event->angleDelta().y();
   if (event->modifiers() & Qt::ControlModifier) {
-    zoomAt(event->position(), std::exp(angle * 0.0015));
+    zoomByHand(event->position(), std::exp(angle * 0.0015));
     return;
   }
   // One notch of a wheel is 120; touchpads send less at a time.

@@ -95,7 +95,13 @@ bool SliceView::showTrueSize() {
   if (!(wanted > 0.0) || !document_.hasVolume()) return false;
   zoom_ *= wanted / pixelsPerMm();
   update();
+  Q_EMIT scaled();
   return true;
+}
+
+void SliceView::setScale(double wanted) {
+  if (!document_.hasVolume() || !(wanted > 0.0) || !(pixelsPerMm() > 0.0)) return;
+  zoomAt(widgetFromWorld(cursor_.position()), wanted / pixelsPerMm());
 }
 
 bool SliceView::isTrueSize() const {

@@ -90,6 +90,7 @@ void ViewArea::addSliceViews(Workspace& workspace) {
     connect(view, &SliceView::measureMenuRequested, this, &ViewArea::measureMenuRequested);
     connect(view, &SliceView::picked, this, &ViewArea::picked);
     connect(view, &SliceView::pickTakenBack, this, &ViewArea::pickTakenBack);
+    connect(view, &SliceView::scaled, this, [this, view] { Q_EMIT scaled(view); });
     slices_.push_back(view);
   }
 }

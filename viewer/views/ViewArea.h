@@ -89,6 +89,8 @@ class ViewArea : public QWidget {
   /// See SliceView.
   void picked(glm::dvec3 world);
   void pickTakenBack();
+  /// A slice was zoomed by hand.
+  void scaled(SliceView* view);
   void failed(const QString& problem);
   /// See VolumeView.
   void reduced(const QString& notice);
