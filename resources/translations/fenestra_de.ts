@@ -1436,6 +1436,30 @@
         <source>A login with a password needs the user&apos;s name.</source>
         <translation>Eine Anmeldung mit Passwort braucht den Benutzernamen.</translation>
     </message>
+    <message>
+        <source>This desktop has no key ring that runs, so the password or token is not kept.</source>
+        <translation>Auf diesem Desktop läuft kein Schlüsselbund, daher wird das Passwort oder Token nicht aufbewahrt.</translation>
+    </message>
+    <message>
+        <source>The key ring was not opened, so the password or token is neither read nor kept.</source>
+        <translation>Der Schlüsselbund wurde nicht geöffnet, daher wird das Passwort oder Token weder gelesen noch aufbewahrt.</translation>
+    </message>
+    <message>
+        <source>The key ring cannot be used: %1</source>
+        <translation>Der Schlüsselbund kann nicht benutzt werden: %1</translation>
+    </message>
+    <message>
+        <source>Waiting for the key ring of the desktop…</source>
+        <translation>Warten auf den Schlüsselbund des Desktops…</translation>
+    </message>
+    <message>
+        <source>Go on without</source>
+        <translation>Ohne ihn fortfahren</translation>
+    </message>
+    <message>
+        <source>The key ring was not waited for.</source>
+        <translation>Auf den Schlüsselbund wurde nicht gewartet.</translation>
+    </message>
 </context>
 <context>
     <name>Settings</name>
@@ -6725,6 +6749,22 @@ Aus: erst die beste Ansicht, dann die beste daneben</translation>
         <source>Labels</source>
         <translation>Labels</translation>
     </message>
+    <message>
+        <source>Ask the archive to confirm that it keeps them</source>
+        <translation>Das Archiv bestätigen lassen, dass es sie aufbewahrt</translation>
+    </message>
+    <message>
+        <source>DICOMweb has no such confirmation</source>
+        <translation>DICOMweb hat keine solche Bestätigung</translation>
+    </message>
+    <message>
+        <source>A storage commitment: the archive says of each object whether it is stored safely. Most connect to our address and port for that, which are open meanwhile</source>
+        <translation>Eine Speicherzusage (Storage Commitment): Das Archiv sagt von jedem Objekt, ob es sicher gespeichert ist. Die meisten verbinden sich dazu mit unserer Adresse und unserem Port, die währenddessen offen sind</translation>
+    </message>
+    <message>
+        <source>None is confirmed to be kept: %1</source>
+        <translation>Von keinem ist bestätigt, dass es aufbewahrt wird: %1</translation>
+    </message>
 </context>
 <context>
     <name>fenestra::viewer::SentAnswers</name>
@@ -6747,6 +6787,22 @@ Aus: erst die beste Ansicht, dann die beste daneben</translation>
     <message>
         <source>Accepted: %1 of %2.</source>
         <translation>Angenommen: %1 von %2.</translation>
+    </message>
+    <message>
+        <source>kept</source>
+        <translation>aufbewahrt</translation>
+    </message>
+    <message>
+        <source>not kept: %1</source>
+        <translation>nicht aufbewahrt: %1</translation>
+    </message>
+    <message>
+        <source>not confirmed to be kept</source>
+        <translation>Aufbewahrung nicht bestätigt</translation>
+    </message>
+    <message>
+        <source>Confirmed to be kept: %1 of %2.</source>
+        <translation>Aufbewahrung bestätigt: %1 von %2.</translation>
     </message>
 </context>
 <context>
@@ -6850,14 +6906,6 @@ Aus: erst die beste Ansicht, dann die beste daneben</translation>
         <translation>Wie Objekte kommen. C-GET braucht nichts weiter; bei C-MOVE sind eigene Adresse und eigener Port beim Server eingetragen, und der Port ist offen, solange Objekte kommen</translation>
     </message>
     <message>
-        <source>Address of this machine that the server sends to</source>
-        <translation>Adresse dieses Rechners, an die der Server sendet</translation>
-    </message>
-    <message>
-        <source>Port of this machine that the server sends to</source>
-        <translation>Port dieses Rechners, an den der Server sendet</translation>
-    </message>
-    <message>
         <source>Host</source>
         <translation>Host</translation>
     </message>
@@ -6900,10 +6948,6 @@ Aus: erst die beste Ansicht, dann die beste daneben</translation>
     <message>
         <source>Token</source>
         <translation>Token</translation>
-    </message>
-    <message>
-        <source>The password or token is asked for when it is needed, and forgotten when the program ends</source>
-        <translation>Nach Passwort oder Token wird gefragt, wenn es gebraucht wird; am Ende des Programms ist es vergessen</translation>
     </message>
     <message>
         <source>Who you are to the server</source>
@@ -6968,6 +7012,26 @@ Aus: erst die beste Ansicht, dann die beste daneben</translation>
     <message>
         <source>Password of %1 for %2:</source>
         <translation>Passwort von %1 für %2:</translation>
+    </message>
+    <message>
+        <source>Address of this machine that the server sends to: objects by C-MOVE, and whether it keeps what it was sent</source>
+        <translation>Adresse dieses Rechners, an die der Server sendet: Objekte mit C-MOVE, und ob er aufbewahrt, was ihm gesendet wurde</translation>
+    </message>
+    <message>
+        <source>Port of this machine that the server sends to; it is open while that is waited for</source>
+        <translation>Port dieses Rechners, an den der Server sendet; er ist offen, solange darauf gewartet wird</translation>
+    </message>
+    <message>
+        <source>The password or token is asked for when it is needed</source>
+        <translation>Nach Passwort oder Token wird gefragt, wenn es gebraucht wird</translation>
+    </message>
+    <message>
+        <source>Keep the password or token in the key ring</source>
+        <translation>Passwort oder Token im Schlüsselbund aufbewahren</translation>
+    </message>
+    <message>
+        <source>The password or token is kept where the desktop keeps those of other programs, encrypted, and nowhere else. Otherwise it is forgotten when the program ends</source>
+        <translation>Passwort oder Token wird dort aufbewahrt, wo der Desktop die anderer Programme aufbewahrt, verschlüsselt, und nirgends sonst. Andernfalls wird es vergessen, wenn das Programm endet</translation>
     </message>
 </context>
 <context>

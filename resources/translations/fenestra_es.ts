@@ -1436,6 +1436,30 @@
         <source>A login with a password needs the user&apos;s name.</source>
         <translation>Un acceso con contraseña necesita el nombre del usuario.</translation>
     </message>
+    <message>
+        <source>This desktop has no key ring that runs, so the password or token is not kept.</source>
+        <translation>En este escritorio no funciona ningún llavero, así que la contraseña o el token no se guarda.</translation>
+    </message>
+    <message>
+        <source>The key ring was not opened, so the password or token is neither read nor kept.</source>
+        <translation>El llavero no se abrió, así que la contraseña o el token ni se lee ni se guarda.</translation>
+    </message>
+    <message>
+        <source>The key ring cannot be used: %1</source>
+        <translation>No se puede usar el llavero: %1</translation>
+    </message>
+    <message>
+        <source>Waiting for the key ring of the desktop…</source>
+        <translation>Esperando al llavero del escritorio…</translation>
+    </message>
+    <message>
+        <source>Go on without</source>
+        <translation>Seguir sin él</translation>
+    </message>
+    <message>
+        <source>The key ring was not waited for.</source>
+        <translation>No se esperó al llavero.</translation>
+    </message>
 </context>
 <context>
     <name>Settings</name>
@@ -6725,6 +6749,22 @@ Desactivado: primero la mejor vista, luego la mejor junto a ella</translation>
         <source>Labels</source>
         <translation>Etiquetas</translation>
     </message>
+    <message>
+        <source>Ask the archive to confirm that it keeps them</source>
+        <translation>Pedir al archivo que confirme que los conserva</translation>
+    </message>
+    <message>
+        <source>DICOMweb has no such confirmation</source>
+        <translation>DICOMweb no tiene tal confirmación</translation>
+    </message>
+    <message>
+        <source>A storage commitment: the archive says of each object whether it is stored safely. Most connect to our address and port for that, which are open meanwhile</source>
+        <translation>Un compromiso de almacenamiento (storage commitment): el archivo dice de cada objeto si está guardado con seguridad. La mayoría se conecta para ello a nuestra dirección y puerto, que mientras tanto están abiertos</translation>
+    </message>
+    <message>
+        <source>None is confirmed to be kept: %1</source>
+        <translation>No se confirma que se conserve ninguno: %1</translation>
+    </message>
 </context>
 <context>
     <name>fenestra::viewer::SentAnswers</name>
@@ -6747,6 +6787,22 @@ Desactivado: primero la mejor vista, luego la mejor junto a ella</translation>
     <message>
         <source>Accepted: %1 of %2.</source>
         <translation>Aceptados: %1 de %2.</translation>
+    </message>
+    <message>
+        <source>kept</source>
+        <translation>conservado</translation>
+    </message>
+    <message>
+        <source>not kept: %1</source>
+        <translation>no conservado: %1</translation>
+    </message>
+    <message>
+        <source>not confirmed to be kept</source>
+        <translation>conservación no confirmada</translation>
+    </message>
+    <message>
+        <source>Confirmed to be kept: %1 of %2.</source>
+        <translation>Conservación confirmada: %1 de %2.</translation>
     </message>
 </context>
 <context>
@@ -6850,14 +6906,6 @@ Desactivado: primero la mejor vista, luego la mejor junto a ella</translation>
         <translation>Cómo llegan los objetos. C-GET no necesita nada más; con C-MOVE la dirección y el puerto propios se registran en el servidor, y el puerto está abierto mientras llegan objetos</translation>
     </message>
     <message>
-        <source>Address of this machine that the server sends to</source>
-        <translation>Dirección de este equipo a la que envía el servidor</translation>
-    </message>
-    <message>
-        <source>Port of this machine that the server sends to</source>
-        <translation>Puerto de este equipo al que envía el servidor</translation>
-    </message>
-    <message>
         <source>Host</source>
         <translation>Host</translation>
     </message>
@@ -6900,10 +6948,6 @@ Desactivado: primero la mejor vista, luego la mejor junto a ella</translation>
     <message>
         <source>Token</source>
         <translation>Token</translation>
-    </message>
-    <message>
-        <source>The password or token is asked for when it is needed, and forgotten when the program ends</source>
-        <translation>La contraseña o el token se piden cuando hacen falta y se olvidan al terminar el programa</translation>
     </message>
     <message>
         <source>Who you are to the server</source>
@@ -6968,6 +7012,26 @@ Desactivado: primero la mejor vista, luego la mejor junto a ella</translation>
     <message>
         <source>Password of %1 for %2:</source>
         <translation>Contraseña de %1 para %2:</translation>
+    </message>
+    <message>
+        <source>Address of this machine that the server sends to: objects by C-MOVE, and whether it keeps what it was sent</source>
+        <translation>Dirección de este equipo a la que envía el servidor: objetos por C-MOVE, y si conserva lo que se le envió</translation>
+    </message>
+    <message>
+        <source>Port of this machine that the server sends to; it is open while that is waited for</source>
+        <translation>Puerto de este equipo al que envía el servidor; está abierto mientras se espera</translation>
+    </message>
+    <message>
+        <source>The password or token is asked for when it is needed</source>
+        <translation>La contraseña o el token se pide cuando hace falta</translation>
+    </message>
+    <message>
+        <source>Keep the password or token in the key ring</source>
+        <translation>Guardar la contraseña o el token en el llavero</translation>
+    </message>
+    <message>
+        <source>The password or token is kept where the desktop keeps those of other programs, encrypted, and nowhere else. Otherwise it is forgotten when the program ends</source>
+        <translation>La contraseña o el token se guarda donde el escritorio guarda los de otros programas, cifrado, y en ningún otro sitio. Si no, se olvida al terminar el programa</translation>
     </message>
 </context>
 <context>

@@ -1436,6 +1436,30 @@
         <source>A login with a password needs the user&apos;s name.</source>
         <translation>Une connexion par mot de passe a besoin du nom de l&apos;utilisateur.</translation>
     </message>
+    <message>
+        <source>This desktop has no key ring that runs, so the password or token is not kept.</source>
+        <translation>Aucun trousseau ne fonctionne sur ce bureau : le mot de passe ou le jeton n&apos;est pas conservé.</translation>
+    </message>
+    <message>
+        <source>The key ring was not opened, so the password or token is neither read nor kept.</source>
+        <translation>Le trousseau n&apos;a pas été ouvert : le mot de passe ou le jeton n&apos;est ni lu ni conservé.</translation>
+    </message>
+    <message>
+        <source>The key ring cannot be used: %1</source>
+        <translation>Le trousseau ne peut pas être utilisé : %1</translation>
+    </message>
+    <message>
+        <source>Waiting for the key ring of the desktop…</source>
+        <translation>Attente du trousseau du bureau…</translation>
+    </message>
+    <message>
+        <source>Go on without</source>
+        <translation>Continuer sans lui</translation>
+    </message>
+    <message>
+        <source>The key ring was not waited for.</source>
+        <translation>Le trousseau n&apos;a pas été attendu.</translation>
+    </message>
 </context>
 <context>
     <name>Settings</name>
@@ -6725,6 +6749,22 @@ Sinon&#xa0;: d&apos;abord la meilleure vue, puis la meilleure à côté</transla
         <source>Labels</source>
         <translation>Étiquettes</translation>
     </message>
+    <message>
+        <source>Ask the archive to confirm that it keeps them</source>
+        <translation>Demander à l&apos;archive de confirmer qu&apos;elle les conserve</translation>
+    </message>
+    <message>
+        <source>DICOMweb has no such confirmation</source>
+        <translation>DICOMweb n&apos;a pas de telle confirmation</translation>
+    </message>
+    <message>
+        <source>A storage commitment: the archive says of each object whether it is stored safely. Most connect to our address and port for that, which are open meanwhile</source>
+        <translation>Un engagement de stockage (storage commitment) : l&apos;archive dit de chaque objet s&apos;il est stocké en sûreté. La plupart se connectent pour cela à notre adresse et à notre port, ouverts pendant ce temps</translation>
+    </message>
+    <message>
+        <source>None is confirmed to be kept: %1</source>
+        <translation>Aucun n&apos;est confirmé comme conservé : %1</translation>
+    </message>
 </context>
 <context>
     <name>fenestra::viewer::SentAnswers</name>
@@ -6747,6 +6787,22 @@ Sinon&#xa0;: d&apos;abord la meilleure vue, puis la meilleure à côté</transla
     <message>
         <source>Accepted: %1 of %2.</source>
         <translation>Acceptés&#xa0;: %1 sur %2.</translation>
+    </message>
+    <message>
+        <source>kept</source>
+        <translation>conservé</translation>
+    </message>
+    <message>
+        <source>not kept: %1</source>
+        <translation>non conservé : %1</translation>
+    </message>
+    <message>
+        <source>not confirmed to be kept</source>
+        <translation>conservation non confirmée</translation>
+    </message>
+    <message>
+        <source>Confirmed to be kept: %1 of %2.</source>
+        <translation>Conservation confirmée : %1 sur %2.</translation>
     </message>
 </context>
 <context>
@@ -6850,14 +6906,6 @@ Sinon&#xa0;: d&apos;abord la meilleure vue, puis la meilleure à côté</transla
         <translation>Comment les objets arrivent. C-GET n&apos;a besoin de rien d&apos;autre&#xa0;; avec C-MOVE, notre adresse et notre port sont enregistrés sur le serveur, et le port est ouvert pendant que les objets arrivent</translation>
     </message>
     <message>
-        <source>Address of this machine that the server sends to</source>
-        <translation>Adresse de cette machine vers laquelle le serveur envoie</translation>
-    </message>
-    <message>
-        <source>Port of this machine that the server sends to</source>
-        <translation>Port de cette machine vers lequel le serveur envoie</translation>
-    </message>
-    <message>
         <source>Host</source>
         <translation>Hôte</translation>
     </message>
@@ -6900,10 +6948,6 @@ Sinon&#xa0;: d&apos;abord la meilleure vue, puis la meilleure à côté</transla
     <message>
         <source>Token</source>
         <translation>Jeton</translation>
-    </message>
-    <message>
-        <source>The password or token is asked for when it is needed, and forgotten when the program ends</source>
-        <translation>Le mot de passe ou le jeton est demandé quand il le faut, et oublié à la fin du programme</translation>
     </message>
     <message>
         <source>Who you are to the server</source>
@@ -6968,6 +7012,26 @@ Sinon&#xa0;: d&apos;abord la meilleure vue, puis la meilleure à côté</transla
     <message>
         <source>Password of %1 for %2:</source>
         <translation>Mot de passe de %1 pour %2&#xa0;:</translation>
+    </message>
+    <message>
+        <source>Address of this machine that the server sends to: objects by C-MOVE, and whether it keeps what it was sent</source>
+        <translation>Adresse de cette machine à laquelle le serveur envoie : les objets par C-MOVE, et s&apos;il conserve ce qui lui a été envoyé</translation>
+    </message>
+    <message>
+        <source>Port of this machine that the server sends to; it is open while that is waited for</source>
+        <translation>Port de cette machine auquel le serveur envoie ; il est ouvert tant qu&apos;on l&apos;attend</translation>
+    </message>
+    <message>
+        <source>The password or token is asked for when it is needed</source>
+        <translation>Le mot de passe ou le jeton est demandé quand il le faut</translation>
+    </message>
+    <message>
+        <source>Keep the password or token in the key ring</source>
+        <translation>Conserver le mot de passe ou le jeton dans le trousseau</translation>
+    </message>
+    <message>
+        <source>The password or token is kept where the desktop keeps those of other programs, encrypted, and nowhere else. Otherwise it is forgotten when the program ends</source>
+        <translation>Le mot de passe ou le jeton est conservé là où le bureau garde ceux des autres programmes, chiffré, et nulle part ailleurs. Sinon il est oublié à la fin du programme</translation>
     </message>
 </context>
 <context>

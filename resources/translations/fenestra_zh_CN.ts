@@ -1436,6 +1436,30 @@
         <source>A login with a password needs the user&apos;s name.</source>
         <translation>使用密码登录需要用户名。</translation>
     </message>
+    <message>
+        <source>This desktop has no key ring that runs, so the password or token is not kept.</source>
+        <translation>此桌面没有运行中的密钥环，因此不保存密码或令牌。</translation>
+    </message>
+    <message>
+        <source>The key ring was not opened, so the password or token is neither read nor kept.</source>
+        <translation>密钥环未打开，因此既不读取也不保存密码或令牌。</translation>
+    </message>
+    <message>
+        <source>The key ring cannot be used: %1</source>
+        <translation>无法使用密钥环：%1</translation>
+    </message>
+    <message>
+        <source>Waiting for the key ring of the desktop…</source>
+        <translation>正在等待桌面的密钥环…</translation>
+    </message>
+    <message>
+        <source>Go on without</source>
+        <translation>不使用并继续</translation>
+    </message>
+    <message>
+        <source>The key ring was not waited for.</source>
+        <translation>未等待密钥环。</translation>
+    </message>
 </context>
 <context>
     <name>Settings</name>
@@ -6720,6 +6744,22 @@ Off: first the best view, then the best one beside it</source>
         <source>Labels</source>
         <translation>标签</translation>
     </message>
+    <message>
+        <source>Ask the archive to confirm that it keeps them</source>
+        <translation>请求归档确认已保存</translation>
+    </message>
+    <message>
+        <source>DICOMweb has no such confirmation</source>
+        <translation>DICOMweb 没有此类确认</translation>
+    </message>
+    <message>
+        <source>A storage commitment: the archive says of each object whether it is stored safely. Most connect to our address and port for that, which are open meanwhile</source>
+        <translation>存储承诺（Storage Commitment）：归档会说明每个对象是否已安全存储。多数归档为此连接我们的地址和端口，期间该端口开放</translation>
+    </message>
+    <message>
+        <source>None is confirmed to be kept: %1</source>
+        <translation>没有对象确认已保存：%1</translation>
+    </message>
 </context>
 <context>
     <name>fenestra::viewer::SentAnswers</name>
@@ -6742,6 +6782,22 @@ Off: first the best view, then the best one beside it</source>
     <message>
         <source>Accepted: %1 of %2.</source>
         <translation>已接受：%1 / %2。</translation>
+    </message>
+    <message>
+        <source>kept</source>
+        <translation>已保存</translation>
+    </message>
+    <message>
+        <source>not kept: %1</source>
+        <translation>未保存：%1</translation>
+    </message>
+    <message>
+        <source>not confirmed to be kept</source>
+        <translation>未确认保存</translation>
+    </message>
+    <message>
+        <source>Confirmed to be kept: %1 of %2.</source>
+        <translation>已确认保存：%2 个中的 %1 个。</translation>
     </message>
 </context>
 <context>
@@ -6844,14 +6900,6 @@ Off: first the best view, then the best one beside it</source>
         <translation>对象的传入方式。C-GET 无需其他设置；使用 C-MOVE 时需在服务器上登记我方地址和端口，传入对象期间端口开放</translation>
     </message>
     <message>
-        <source>Address of this machine that the server sends to</source>
-        <translation>服务器发送到的本机地址</translation>
-    </message>
-    <message>
-        <source>Port of this machine that the server sends to</source>
-        <translation>服务器发送到的本机端口</translation>
-    </message>
-    <message>
         <source>Host</source>
         <translation>主机</translation>
     </message>
@@ -6894,10 +6942,6 @@ Off: first the best view, then the best one beside it</source>
     <message>
         <source>Token</source>
         <translation>令牌</translation>
-    </message>
-    <message>
-        <source>The password or token is asked for when it is needed, and forgotten when the program ends</source>
-        <translation>需要时询问密码或令牌，程序结束时忘记</translation>
     </message>
     <message>
         <source>Who you are to the server</source>
@@ -6962,6 +7006,26 @@ Off: first the best view, then the best one beside it</source>
     <message>
         <source>Password of %1 for %2:</source>
         <translation>%1 在 %2 的密码：</translation>
+    </message>
+    <message>
+        <source>Address of this machine that the server sends to: objects by C-MOVE, and whether it keeps what it was sent</source>
+        <translation>服务器发送到的本机地址：通过 C-MOVE 的对象，以及是否保存了所收到的内容</translation>
+    </message>
+    <message>
+        <source>Port of this machine that the server sends to; it is open while that is waited for</source>
+        <translation>服务器发送到的本机端口；仅在等待期间开放</translation>
+    </message>
+    <message>
+        <source>The password or token is asked for when it is needed</source>
+        <translation>需要时会询问密码或令牌</translation>
+    </message>
+    <message>
+        <source>Keep the password or token in the key ring</source>
+        <translation>将密码或令牌保存在密钥环中</translation>
+    </message>
+    <message>
+        <source>The password or token is kept where the desktop keeps those of other programs, encrypted, and nowhere else. Otherwise it is forgotten when the program ends</source>
+        <translation>密码或令牌加密保存在桌面保存其他程序凭据之处，别无他处。否则程序结束时即被遗忘</translation>
     </message>
 </context>
 <context>
