@@ -299,6 +299,33 @@ TEST_F(ArchiveWindow, ASessionIsNotOfferedAPlaceInTheCache) {
   EXPECT_EQ(suggestedFor(inside.folder), toPath(QDir::homePath()));
 }
 
+TEST_F(ArchiveWindow, RetrievesByCMoveOverTls) {
+  FENESTRA_PROGRAM_OR_SKIP("Orthanc", "orthanc");
+  FENESTRA_PROGRAM_OR_SKIP("openssl", "openssl");
+  fs::create_directories(root_);
+  const tests::Certificate own = tests::makeCertificate(root_, "server"),
+                           client = tests::makeCertificate(root_, "client");
+  const auto running = tests::startOrthanc(root_ / "s", own, client);
+  ASSERT_TRUE(running);
+  const tests::MadeStudy study = tests::makeStudy(root_ / "made", "1.2.3.83", 3);
+  io::archive::send(running->server, filesOf({study}));
+  ServerEntry entry = entryOf(*running);
+  entry.kind = ServerEntry::Kind::DicomTls;
+  entry.authorities = toQString(own.certificate);
+  entry.certificate = toQString(client.certificate);
+  entry.key = toQString(client.key);
+  entry.moves = true;
+  const int port = std::exchange(entry.ownPort, tests::freePort());
+  enter(entry);
+  waitFor(retrievals().add({entry.id, study.uid, {}, QStringLiteral("Lost"), false}), State::Failed);
+  EXPECT_TRUE(tests::objectsIn(root_ / "cache").empty()) << "the server sends to the port that it knows, not by C-GET";
+  entry.ownPort = port;
+  archives().put(entry);
+  const int id = retrievals().add({entry.id, study.uid, {}, QStringLiteral("Moved"), false});
+  waitFor(id, State::Done);
+  EXPECT_EQ(tests::objectsIn(root_ / "cache"), tests::objectsIn(study.folder));
+}
+
 TEST_F(ArchiveWindow, ServersComeBackWithTheNextWindow) {
   ServerEntry web = newServerEntry();
   web.name = QStringLiteral("Web");
