@@ -66,6 +66,14 @@ void prepare(io::Study& study) {
   study.focusCentre = focusCentre(shown);
 }
 
+void prepareFrame(QMainWindow& window) {
+  window.setWindowTitle(QStringLiteral("Fenestra"));
+  window.setAcceptDrops(true);
+  new FocusRing(&window);
+  new UndoKeys(&window);
+  window.setDockOptions(QMainWindow::AnimatedDocks | QMainWindow::AllowNestedDocks | QMainWindow::AllowTabbedDocks);
+}
+
 }  // namespace
 
 MainWindow::MainWindow(const Setup& setup, QWidget* parent)
@@ -78,11 +86,7 @@ MainWindow::MainWindow(const Setup& setup, QWidget* parent)
       link_(first_ ? first_->link_ : std::make_shared<StudyLink>()) {
   if (first_) workspace_.preferences.shareWith(first_->workspace_.preferences);
   if (workspace_.preferences.isOn(Preference::LightTheme)) applyPreference(Preference::LightTheme);
-  setWindowTitle(QStringLiteral("Fenestra"));
-  setAcceptDrops(true);
-  new FocusRing(this);
-  new UndoKeys(this);
-  setDockOptions(AnimatedDocks | AllowNestedDocks | AllowTabbedDocks);
+  prepareFrame(*this);
 
   connectModels();  // before the views connect, so that the models are up to date when a view draws
   views_ = new ViewArea(workspace_, gl_, setup.atRest.value_or(workspace_.preferences.atRest()), setup.chooseSchedule);
@@ -103,29 +107,12 @@ MainWindow::MainWindow(const Setup& setup, QWidget* parent)
   guide_ = new Guide(*this);
   connect(panels_.folding, &DockFolding::opened, guide_, &Guide::opened);
   connect(welcome_, &WelcomePage::guideRequested, guide_, [this] { guide_->open(); });
-  actions_ = new Actions({*this,
-                          workspace_,
-                          loader_,
-                          grower_,
-                          *files_,
-                          *exports_,
-                          *pictures_,
-                          *verification_,
-                          *sessions_,
-                          *views_,
-                          gl_,
-                          [this] { closeStudy(); },
-                          [this] { resetLayout(); },
-                          [this] { keepKeyImage(); },
-                          [this] { showResultsDialog(); },
-                          [this] { showOther(); },
-                          [this] { quit(); },
-                          *panels_.cutaway,
-                          *archive_,
-                          *guide_,
-                          *tour_,
-                          *link_,
-                          side()});
+  const Actions::Beside beside{*link_, side(), [this] { showOther(); }, [this] { quit(); }};
+  actions_ =
+      new Actions({*this, workspace_, loader_, grower_, *files_, *exports_, *pictures_, *verification_, *sessions_,
+                   *views_, gl_, [this] { closeStudy(); }, [this] { resetLayout(); }, [this] { keepKeyImage(); },
+                   [this] { showResultsDialog(); }, *panels_.cutaway, *archive_, *guide_, *tour_},
+                  beside);
   setStatusBar(new StatusBar(workspace_.document, workspace_.options, *views_, gl_));
   // Below the pictures: a bar above them would resize them, and each click would draw them again.
   // What comes and goes in the status bar must not make the window wider.

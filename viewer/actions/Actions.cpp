@@ -17,9 +17,10 @@
 
 namespace fenestra::viewer {
 
-Actions::Actions(const Targets& targets)
+Actions::Actions(const Targets& targets, const Beside& beside)
     : QObject(&targets.window),
       targets_(targets),
+      beside_(beside),
       viewCommands_(targets_.workspace, targets_.views),
       cine_(targets_.workspace.cursor) {
   makeFileMenu();

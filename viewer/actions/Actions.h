@@ -39,6 +39,12 @@ struct Workspace;
 class Actions : public QObject {
   Q_OBJECT
  public:
+  /// The study beside this one.
+  struct Beside {
+    StudyLink& link;
+    int side;  ///< of the link
+    std::function<void()> showOther, quit;
+  };
   /// What the commands act on. All outlive this.
   struct Targets {
     QMainWindow& window;  ///< gets the menu bar and the toolbar; has its docks already
@@ -56,18 +62,14 @@ class Actions : public QObject {
     std::function<void()> resetLayout;
     std::function<void()> keepKeyImage;
     std::function<void()> saveResults;
-    std::function<void()> showOther;  ///< the window with the study beside
-    std::function<void()> quit;
     CutawayPanel& cutaway;
     ArchiveDock& archive;
     Guide& guide;
     Tour& tour;
-    StudyLink& link;
-    int side;  ///< of the link
   };
 
   /// The window owns this.
-  explicit Actions(const Targets& targets);
+  Actions(const Targets& targets, const Beside& beside);
 
   /// An entry in the File menu for data that comes with the program; this owns it.
   QAction* addSample(const QString& name, StudyLoader::SampleReader read);
@@ -130,6 +132,7 @@ class Actions : public QObject {
   void stop();
 
   Targets targets_;
+  Beside beside_;
   ViewCommands viewCommands_;
   Cine cine_;
   std::unique_ptr<KeyBindings> keys_;  ///< made when all menus are

@@ -24,7 +24,7 @@ void Actions::addOpenBeside(QMenu& menu) {
 }
 
 void Actions::addSidePanels(QMenu& menu) {
-  StudyLink& link = targets_.link;
+  StudyLink& link = beside_.link;
   auto hidden = std::make_shared<QList<QDockWidget*>>();
   QAction* panels = toggle(tr("&Panels"), QKeySequence(tr("F9")), true, [this, hidden](bool on) {
     if (on) {
@@ -50,8 +50,8 @@ void Actions::addSidePanels(QMenu& menu) {
 }
 
 void Actions::makeCompareMenu(QMenu& menu) {
-  StudyLink& link = targets_.link;
-  const int side = targets_.side;
+  StudyLink& link = beside_.link;
+  const int side = beside_.side;
   QMenu* both = menu.addMenu(tr("T&wo studies"));
   both->setObjectName(QStringLiteral("twoStudies"));
   QAction* linked = toggle(tr("&Link by patient position"), QKeySequence(tr("M")), false,
@@ -60,7 +60,7 @@ void Actions::makeCompareMenu(QMenu& menu) {
   QAction* match = action(tr("&Match points"), QKeySequence(tr("Shift+M")), [&link] { link.match(); });
   QAction* forget = action(tr("&Forget the pair of points"), {}, [&link, side] { link.forgetPair(side); });
   forget->setObjectName(QStringLiteral("forgetPair"));
-  QAction* other = action(tr("&Other study"), QKeySequence(tr("F6")), [this] { targets_.showOther(); });
+  QAction* other = action(tr("&Other study"), QKeySequence(tr("F6")), [this] { beside_.showOther(); });
   both->addActions({linked, match, forget, other});
   addSidePanels(*both);
   const auto follow = [&link, linked, match, forget, other] {

@@ -74,7 +74,7 @@ void Actions::makeFileMenu() {
   menu->addSeparator();
   menu->addAction(volumeAction(tr("&Close study"), QKeySequence(tr("Ctrl+W")), [this] { targets_.closeStudy(); }));
   menu->actions().constLast()->setObjectName(QStringLiteral("closeStudy"));
-  menu->addAction(action(tr("&Quit"), QKeySequence::Quit, [this] { targets_.quit(); }));
+  menu->addAction(action(tr("&Quit"), QKeySequence::Quit, [this] { beside_.quit(); }));
   tools_ << QList<QAction*>{folder, file, labels, save};
 }
 
