@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <numbers>
 #include <optional>
@@ -137,7 +138,12 @@ struct DeepSeeds {
 DeepSeeds deepSeeds(const Grid& grid, const FirstRegion& region, std::span<const glm::ivec3> outside) {
   DeepSeeds seeds;
   const RegionBalls shape(grid, region.joins, region.curve.automatic);
-  if (!shape.holds(region.seed)) return seeds;
+  if (!shape.holds(region.seed)) {
+    // A click on a border may lie beside its region, which is that of its neighbourhood. It has no depth there to
+    // compare others with, so that no shape is known to part them.
+    std::ranges::copy_if(outside, std::back_inserter(seeds.beside), [&](glm::ivec3 seed) { return shape.holds(seed); });
+    return seeds;
+  }
   const double own = shape.depthOf(shape.ballAt(region.seed));
   for (const glm::ivec3 seed : outside) {
     if (!shape.holds(seed)) continue;
