@@ -75,6 +75,13 @@ TEST(Corrections, ADeepSeedOutsideAsksAnewWhereNoShapeParts) {
   EXPECT_LT(shareIn(region, twoTissues, inRight), 0.05);
 }
 
+TEST(Corrections, ASeedOutsideNearerToTheMiddleThanToTheSurfaceIsDeep) {
+  // Ten voxels deep, where the body is fourteen.
+  const CorrectedRegion region = correctedByOneOutside({60, 20, 15}, inBody);
+  EXPECT_GT(shareIn(region, twoTissues, inLeft), 0.95);
+  EXPECT_LT(shareIn(region, twoTissues, inRight), 0.05);
+}
+
 TEST(Corrections, ASeedOutsideAsksAnewWhereTheRegionLacksItsOwnClick) {
   const auto isIn = [](glm::ivec3 at) { return inBody(at) && at != clicked; };
   const CorrectedRegion region = correctedByOneOutside({60, 20, 20}, isIn);
