@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <numbers>
 #include <optional>
@@ -129,22 +130,27 @@ void addAt(glm::ivec3 seed, const Volume& volume, const Competition& competition
       joins[i] = std::min(joins[i], static_cast<Level>(std::clamp(own.joins[i] + shift, 0, levelCount - 1)));
 }
 
-/// The seeds outside that tell of a leak, which lie as deep in it as the first seed does, or deeper.
+/// The seeds outside that tell of a leak: they do not lie in the rim of the region.
 struct DeepSeeds {
   std::vector<glm::ivec3> beyond;  ///< in a part that is far thicker: a narrow place lies between
-  std::vector<glm::ivec3> beside;  ///< in one as thick: no shape parts them from the first seed
+  std::vector<glm::ivec3> beside;  ///< in its middle, in one no thicker: no shape parts them from the first seed
 };
 DeepSeeds deepSeeds(const Grid& grid, const FirstRegion& region, std::span<const glm::ivec3> outside) {
   DeepSeeds seeds;
   const RegionBalls shape(grid, region.joins, region.curve.automatic);
-  if (!shape.holds(region.seed)) return seeds;
+  if (!shape.holds(region.seed)) {
+    // A click on a border may lie beside its region, which is that of its neighbourhood. It has no depth there to
+    // compare others with, so that no shape is known to part them.
+    std::ranges::copy_if(outside, std::back_inserter(seeds.beside), [&](glm::ivec3 seed) { return shape.holds(seed); });
+    return seeds;
+  }
   const double own = shape.depthOf(shape.ballAt(region.seed));
   for (const glm::ivec3 seed : outside) {
     if (!shape.holds(seed)) continue;
     const double depth = shape.ballAt(seed).depth;
     if (depth > leakThickness * own)
       seeds.beyond.push_back(seed);
-    else if (depth > own - shape.voxelSide())  // radii are as exact as voxels are
+    else if (depth > 0.5 * own)  // nearer to the middle than to the surface
       seeds.beside.push_back(seed);
   }
   return seeds;

@@ -58,23 +58,39 @@ bool inBody(glm::ivec3 at) {
 bool inLeft(glm::ivec3 at) { return inBody(at) && at.x < 28; }
 bool inRight(glm::ivec3 at) { return inBody(at) && at.x >= 28; }
 
-/// Of a click in the left tissue that leaks into the right one, after a seed outside at `outside`.
-CorrectedRegion correctedByOneOutside(glm::ivec3 outside) {
+const glm::ivec3 clicked(17, 20, 20);
+
+/// Of a click in the left tissue whose region leaks into the right one, after a seed outside at `outside`.
+template <class IsIn>
+CorrectedRegion correctedByOneOutside(glm::ivec3 outside, IsIn isIn) {
   const auto volume = noisy(twoTissues, [](glm::ivec3 at) { return inLeft(at) ? 50.0 : inBody(at) ? 110.0 : 0.0; });
   const auto tissues = TissueTree::build(*volume);
   const Competition competition(*volume, *tissues, nullptr, {});
-  const glm::ivec3 seed(17, 20, 20);
-  return corrected(*volume, competition, leakOf(*volume, seed, inBody), std::vector{seed}, std::vector{outside});
+  return corrected(*volume, competition, leakOf(*volume, clicked, isIn), std::vector{clicked}, std::vector{outside});
 }
 
 TEST(Corrections, ADeepSeedOutsideAsksAnewWhereNoShapeParts) {
-  const CorrectedRegion region = correctedByOneOutside({60, 20, 20});
+  const CorrectedRegion region = correctedByOneOutside({60, 20, 20}, inBody);
+  EXPECT_GT(shareIn(region, twoTissues, inLeft), 0.95);
+  EXPECT_LT(shareIn(region, twoTissues, inRight), 0.05);
+}
+
+TEST(Corrections, ASeedOutsideNearerToTheMiddleThanToTheSurfaceIsDeep) {
+  // Ten voxels deep, where the body is fourteen.
+  const CorrectedRegion region = correctedByOneOutside({60, 20, 15}, inBody);
+  EXPECT_GT(shareIn(region, twoTissues, inLeft), 0.95);
+  EXPECT_LT(shareIn(region, twoTissues, inRight), 0.05);
+}
+
+TEST(Corrections, ASeedOutsideAsksAnewWhereTheRegionLacksItsOwnClick) {
+  const auto isIn = [](glm::ivec3 at) { return inBody(at) && at != clicked; };
+  const CorrectedRegion region = correctedByOneOutside({60, 20, 20}, isIn);
   EXPECT_GT(shareIn(region, twoTissues, inLeft), 0.95);
   EXPECT_LT(shareIn(region, twoTissues, inRight), 0.05);
 }
 
 TEST(Corrections, AShallowSeedOutsideLeavesTheRegionAsItIs) {
-  const CorrectedRegion region = correctedByOneOutside({91, 20, 20});
+  const CorrectedRegion region = correctedByOneOutside({91, 20, 20}, inBody);
   EXPECT_GT(shareIn(region, twoTissues, inLeft), 0.99);
   EXPECT_GT(shareIn(region, twoTissues, inRight), 0.9);
 }
