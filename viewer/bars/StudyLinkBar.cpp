@@ -48,7 +48,7 @@ StudyLinkBar::StudyLinkBar(StudyLink& link, int side, QWidget* parent)
     linked->setChecked(link_.isLinked());
     match->setEnabled(!link_.isLinked());
     forget->setVisible(link_.isMatched());
-    show();
+    showState();
   });
   hide();
 }
@@ -62,7 +62,7 @@ QString StudyLinkBar::stateText() const {
       .arg(numberText(offset.x, 1), numberText(offset.y, 1), numberText(offset.z, 1));
 }
 
-void StudyLinkBar::show() {
+void StudyLinkBar::showState() {
   state_->setText(stateText());
   state_->setToolTip(link_.isLinked() ? tr("Offset of the other study to the patient's left, posterior and superior")
                                       : QString());

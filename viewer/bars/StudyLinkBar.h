@@ -21,7 +21,7 @@ class StudyLinkBar : public QWidget {
   void paintEvent(QPaintEvent* event) override;
 
  private:
-  void show();
+  void showState();
   void showSide();
   QString stateText() const;
 

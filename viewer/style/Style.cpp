@@ -131,9 +131,10 @@ QString styleSheetOf(const Colours& colours) {
     QCheckBox::indicator:checked, QTreeView::indicator:checked, QListView::indicator:checked { background: @accent;
       border-color: @brightAccent; image: url(:/icons/check.svg); }
     QCheckBox::indicator:disabled { border-color: @controlDisabled; }
-    QToolButton#choice { background: @raised; border: 1px solid @edge; border-radius: 3px; padding: 3px 4px; }
-    QToolButton#choice:hover { background: @hover; }
-    QToolButton#choice:checked { background: @chosen; border-color: @accent; }
+    QToolButton#choice, QToolButton#linkStudies { background: @raised; border: 1px solid @edge; border-radius: 3px;
+      padding: 3px 4px; }
+    QToolButton#choice:hover, QToolButton#linkStudies:hover { background: @hover; }
+    QToolButton#choice:checked, QToolButton#linkStudies:checked { background: @chosen; border-color: @accent; }
     QToolButton#choice:disabled { color: @dim; }
     QToolButton#thumbnail { background: @well; border: 1px solid @hover; border-radius: 3px; }
     QToolButton#thumbnail:hover { border-color: @brightAccent; }
