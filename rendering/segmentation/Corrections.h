@@ -17,12 +17,12 @@ struct CorrectedRegion {
 /// region's own. The step with which the region begins stays, but in a leak.
 ///
 /// Where the first region is large enough for a leak, seeds outside are looked at first. One that lies in a far thicker
-/// part than the first seed takes away all up to the narrow place between. One in a part as thick, nearer to
-/// its middle than to its surface, leaves nothing for the shape to part, and so does any where the region lacks the
-/// first seed's own voxel, as it may on a border. The first seed's region is then the clearest one that holds no such
-/// seed, as markers part a tree of merges (P. Salembier, L. Garrido: Binary partition tree as an efficient
-/// representation for image processing, segmentation, and information retrieval, IEEE Transactions on Image Processing
-/// 9(4), 2000). What is left then is corrected in the same way, until it holds no deep seed.
+/// part than the first seed takes away all up to the narrow place between. One in a part as thick, nearer to its middle
+/// than to its surface, leaves nothing for the shape to part, and so does any where the region lacks the first seed's
+/// own voxel, as it may on a border. The first seed's region is then the clearest one that holds no such seed, as
+/// markers part a tree of merges (P. Salembier, L. Garrido: Binary partition tree as an efficient representation for
+/// image processing, segmentation, and information retrieval, IEEE Transactions on Image Processing 9(4), 2000). What
+/// is left then is corrected in the same way, until it holds no deep seed.
 CorrectedRegion corrected(const Volume& volume, const Competition& competition, const FirstRegion& first,
                           std::span<const glm::ivec3> inside, std::span<const glm::ivec3> outside);
 
