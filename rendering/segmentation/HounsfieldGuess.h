@@ -4,11 +4,18 @@
 #include <memory>
 #include <optional>
 
-#include "rendering/segmentation/HounsfieldScale.h"
 #include "rendering/segmentation/VoxelBox.h"
 #include "rendering/volume/Volume.h"
 
 namespace fenestra::segmentation {
+
+/// HU = factor · real value + offset.
+struct HounsfieldScale {
+  double factor = 1.0, offset = 0.0;
+
+  /// The real value of HU.
+  double realAt(double hounsfield) const { return (hounsfield - offset) / factor; }
+};
 
 /// The measures say how much the values are spread as a CT's are.
 struct HounsfieldGuess : HounsfieldScale {

@@ -4,7 +4,6 @@
 #include <numeric>
 #include <vector>
 
-#include "rendering/segmentation/HounsfieldGuess.h"
 #include "rendering/segmentation/TissueDistribution.h"
 
 namespace fenestra::segmentation {

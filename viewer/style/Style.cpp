@@ -122,8 +122,7 @@ QString styleSheetOf(const Colours& colours) {
     QDockWidget { font-weight: bold; titlebar-close-icon: url(:/icons/@closeIcon.svg); }
     QDockWidget::title { background: @title; padding: 5px 8px; border-top: 1px solid @line; }
     QSplitter::handle { background: @line; }
-    QSplitter::handle:horizontal { width: 3px; }
-    QSplitter::handle:vertical { height: 3px; }
+    QSplitter::handle:horizontal { width: 3px; } QSplitter::handle:vertical { height: 3px; }
     QCheckBox::indicator, QTreeView::indicator, QListView::indicator { width: 13px; height: 13px;
       border: 1px solid @controlEdge; border-radius: 2px; background: @controlFace; }
     QCheckBox::indicator:hover, QTreeView::indicator:hover, QListView::indicator:hover {
