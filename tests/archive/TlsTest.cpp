@@ -28,8 +28,9 @@ TEST(ArchiveTls, TransfersBothWaysAndRefusesStrangers) {
   const MadeStudy study = makeStudy(folder, "1.2.3.80", 2);
   const std::vector<archive::Sent> sent = archive::send(server, archive::filesToSend({study.folder}));
   for (const archive::Sent& each : sent) EXPECT_TRUE(each.accepted) << each.text;
-  for (const auto& [object, said] : archive::commit(server, sent))
-    EXPECT_EQ(said.verdict, archive::Commitment::Verdict::Kept) << said.text;
+  const auto verdicts = archive::commit(server, sent);
+  EXPECT_EQ(verdicts.size(), 2u);
+  for (const auto& [object, said] : verdicts) EXPECT_EQ(said.verdict, archive::Commitment::Verdict::Kept) << said.text;
   for (const archive::Way way : {archive::Way::Get, archive::Way::Move}) {
     SCOPED_TRACE(way == archive::Way::Get ? "C-GET" : "C-MOVE");
     const archive::Cache cache(folder / (way == archive::Way::Get ? "got" : "moved"));

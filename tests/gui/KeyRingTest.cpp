@@ -34,7 +34,7 @@ class KeyRing : public ArchiveWindow {
  protected:
   void SetUp() override {
     if (!qEnvironmentVariableIsSet("FENESTRA_KEY_RING"))
-      GTEST_SKIP() << "needs a session with a key ring (key-ring.sh)";
+      GTEST_SKIP() << "needs a key ring of its own: tests/gui/key-ring.sh starts one, as the suite gui_key_ring does";
     ArchiveWindow::SetUp();
     archives().setAskSecret([this](const ServerEntry&) {
       ++asked_;
