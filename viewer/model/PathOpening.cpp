@@ -24,7 +24,7 @@ void PathOpening::setOpen(bool on) {
     before_ = std::exchange(look.focus, tubeAround(document_.path(), radius_));
   else
     look.focus = before_;  // kept: undo may bring the tube back
-  document_.edit(tr("Open along the path"), std::move(look));
+  document_.edit(tr("Opening along the path"), std::move(look));
 }
 
 void PathOpening::setRadius(double mm) {
