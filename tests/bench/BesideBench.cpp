@@ -22,7 +22,7 @@ double megabytes(const std::string& name) {
   throw std::runtime_error("no " + name + " in /proc/self/status");
 }
 
-void wait(int milliseconds) {
+void passTime(int milliseconds) {
   QEventLoop loop;
   QTimer::singleShot(milliseconds, &loop, &QEventLoop::quit);
   loop.exec();
@@ -39,13 +39,13 @@ Json besideMemory(MainWindow& window, const std::function<io::Study(const io::Pr
     QObject::connect(&into, &MainWindow::opened, &context, [&] { opened = true; });
     QObject::connect(&into, &MainWindow::failed, &context, [&] { failed = true; });
     into.open(read);
-    while (!opened && !failed) wait(1);
+    while (!opened && !failed) passTime(1);
     if (failed) throw std::runtime_error("the study does not open");
     settle(into);
-    wait(3000);  // previews and pictures of panels are made after the views are at rest
+    passTime(3000);  // previews and pictures of panels are made after the views are at rest
     settle(into);
   };
-  wait(1000);
+  passTime(1000);
   const double none = megabytes("VmRSS");
   open(window);
   const double one = megabytes("VmRSS");

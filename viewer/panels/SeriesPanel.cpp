@@ -110,8 +110,8 @@ SeriesPanel::~SeriesPanel() = default;
 
 QString SeriesPanel::seriesOf(const QMimeData& data) { return QString::fromUtf8(data.data(QLatin1String(seriesMime))); }
 
-bool SeriesPanel::isSourceOf(const QMimeData& data) const {
-  return data.data(QLatin1String(sourceMime)) == nameOf(*list_);
+bool SeriesPanel::isSourceOf(const QMimeData& drag) const {
+  return drag.data(QLatin1String(sourceMime)) == nameOf(*list_);
 }
 
 std::vector<QTreeWidgetItem*> SeriesPanel::rows() const {
