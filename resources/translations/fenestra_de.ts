@@ -6259,6 +6259,10 @@ Aus: erst die beste Ansicht, dann die beste daneben</translation>
         <source>The tube around the path is in focus: untick Open along the path, and bring a vessel into focus.</source>
         <translation>Die Röhre um den Pfad ist im Fokus: Schalten Sie „Entlang des Pfads öffnen“ aus, und bringen Sie ein Gefäß in den Fokus.</translation>
     </message>
+    <message>
+        <source>Radius</source>
+        <translation>Radius</translation>
+    </message>
 </context>
 <context>
     <name>fenestra::viewer::RegionGrower</name>

@@ -6259,6 +6259,10 @@ Desactivado: primero la mejor vista, luego la mejor junto a ella</translation>
         <source>The tube around the path is in focus: untick Open along the path, and bring a vessel into focus.</source>
         <translation>El tubo alrededor del trayecto es el foco: desmarque «Abrir a lo largo del trayecto» y ponga un vaso en el foco.</translation>
     </message>
+    <message>
+        <source>Radius</source>
+        <translation>Radio</translation>
+    </message>
 </context>
 <context>
     <name>fenestra::viewer::RegionGrower</name>

@@ -6259,6 +6259,10 @@ Sinon&#xa0;: d&apos;abord la meilleure vue, puis la meilleure à côté</transla
         <source>The tube around the path is in focus: untick Open along the path, and bring a vessel into focus.</source>
         <translation>Le tube autour du trajet est la cible&#xa0;: décochez «&#xa0;Ouvrir le long du trajet&#xa0;» et prenez un vaisseau pour cible.</translation>
     </message>
+    <message>
+        <source>Radius</source>
+        <translation>Rayon</translation>
+    </message>
 </context>
 <context>
     <name>fenestra::viewer::RegionGrower</name>

@@ -6254,6 +6254,10 @@ Off: first the best view, then the best one beside it</source>
         <source>The tube around the path is in focus: untick Open along the path, and bring a vessel into focus.</source>
         <translation>路径周围的管状区域是焦点：请取消“沿路径打开”，并将血管设为焦点。</translation>
     </message>
+    <message>
+        <source>Radius</source>
+        <translation>半径</translation>
+    </message>
 </context>
 <context>
     <name>fenestra::viewer::RegionGrower</name>

@@ -187,7 +187,10 @@ TEST_F(Beside, ASeriesOpensBesideByItsMenuAndByADragFromTheOtherWindow) {
   ASSERT_TRUE(QTest::qWaitFor([&] { return seriesOf(beside) == other; }, patience));
   EXPECT_EQ(seriesOf(*window_), left);
 
-  // A drag of what is open on the left, onto a view on the right.
+  // A drag of what is open on the left, onto a view on the right, whose study knows nothing of that series.
+  QSignalSpy opened(&beside, &MainWindow::opened);
+  beside.open([](const io::Progress&) { return markedBall(); });
+  ASSERT_TRUE(opened.count() > 0 || opened.wait(patience));
   const auto drop = [&](MainWindow& onto, const QMimeData& data) {
     const QPoint at = axial(onto)->mapTo(&onto, axial(onto)->rect().center());
     QDragEnterEvent enters(at, Qt::CopyAction, &data, Qt::LeftButton, {});

@@ -116,7 +116,8 @@ void ReformatPanel::layOut() {
   form->addRow(tr("Width"), width_);
   form->addRow(tr("Turned by"), angle_);
   form->addRow(camerasFollow_);
-  form->addRow(opensAlong_, tubeRadius_);
+  form->addRow(opensAlong_);
+  form->addRow(tr("Radius"), tubeRadius_);
   auto* side = new QVBoxLayout;
   side->addWidget(across_, 2);
   side->addWidget(says_, 1);
