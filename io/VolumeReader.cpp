@@ -292,6 +292,15 @@ std::vector<SeriesInfo> listSeries(const fs::path& path, const OpenOptions& opti
   });
 }
 
+std::optional<ListedSlices> listSlices(const fs::path& path, const OpenOptions& options) {
+  checkExists(path);
+  if (options.raw || formatOf(path) != Format::Dicom) return std::nullopt;
+  return withinMemory(path, [&] {
+    refuseSpacing(path, Format::Dicom, options);
+    return listDicomSlices(path, options);
+  });
+}
+
 OpenedVolume openVolume(const fs::path& path, const OpenOptions& options) {
   checkExists(path);
   return withinMemory(path, [&] {

@@ -3,6 +3,7 @@
 // folder of pages), an archive of these, or raw bytes with a description.
 
 #include <filesystem>
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -17,6 +18,9 @@ RawDescription parseRawDescription(std::string_view text);
 
 /// The series (or single volume with its time points) in PATH, without decoding pixels. Throws Error, Cancelled.
 std::vector<SeriesInfo> listSeries(const std::filesystem::path& path, const OpenOptions& options = {});
+/// The slices of the DICOM series that openVolume() would open, without decoding pixels: those whose pixels are
+/// damaged, too. Empty for other formats and archives. Throws Error, Cancelled.
+std::optional<ListedSlices> listSlices(const std::filesystem::path& path, const OpenOptions& options = {});
 /// Opens a volume. Voxel values come out exactly as the format defines them, geometry in LPS mm. Throws Error,
 /// Cancelled.
 OpenedVolume openVolume(const std::filesystem::path& path, const OpenOptions& options = {});

@@ -118,6 +118,22 @@ void DockHeights::reset() {
   share();
 }
 
+QStringList DockHeights::openedLast() const {
+  QStringList names;
+  for (const QDockWidget* dock : order_) names << dock->objectName();
+  return names;
+}
+
+void DockHeights::restore(const QStringList& openedLast) {
+  order_ = column_;
+  const auto placeOf = [&](const QDockWidget* dock) {
+    const auto place = openedLast.indexOf(dock->objectName());
+    return place < 0 ? openedLast.size() : place;
+  };
+  // The first section is always open, and stays the first.
+  std::stable_sort(order_.begin() + 1, order_.end(), [&](auto* a, auto* b) { return placeOf(a) < placeOf(b); });
+}
+
 void DockHeights::share() {
   isDue_ = false;
   window_.layout()->activate();

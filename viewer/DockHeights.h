@@ -9,6 +9,7 @@
 
 #include <QDockWidget>
 #include <QMainWindow>
+#include <QStringList>
 
 namespace fenestra::viewer {
 
@@ -25,6 +26,11 @@ class DockHeights : public QObject {
   void keepWhatTheUserChose() { checks_ = true; }
   /// Shares the height anew, also where the user has moved a border.
   void reset();
+  /// Names of the sections' objects, those that the user opened last first.
+  QStringList openedLast() const;
+  /// Brings them into that order at the next share; names that are not there are ignored, and sections that are not
+  /// named follow as in the column.
+  void restore(const QStringList& openedLast);
 
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;

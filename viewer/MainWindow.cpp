@@ -164,9 +164,12 @@ QWidget* MainWindow::makeCentre() {
 void MainWindow::restoreLayout() {
   Preferences& preferences = workspace_.preferences;
   if (!first_) restoreGeometry(preferences.windowGeometry());
+  panels_.heights->restore(preferences.openedPanels());
   panels_.folding->restore(preferences.foldedPanels());
-  connect(panels_.folding, &DockFolding::changed, this,
-          [this, &preferences] { preferences.setFoldedPanels(panels_.folding->folded()); });
+  connect(panels_.folding, &DockFolding::changed, this, [this, &preferences] {
+    preferences.setFoldedPanels(panels_.folding->folded());
+    preferences.setOpenedPanels(panels_.heights->openedLast());
+  });
   if (restoreState(preferences.windowState(), layoutVersion)) panels_.heights->keepWhatTheUserChose();
   views_->restoreLayout(preferences.viewLayout());
   workspace_.placement.setSettings(preferences.placement());
@@ -209,6 +212,8 @@ void MainWindow::applyPreference(Preference which) {
 }
 
 void MainWindow::resetLayout() {
+  panels_.heights->restore({});
+  workspace_.preferences.setOpenedPanels({});
   panels_.folding->restore({});
   restoreState(firstState_, layoutVersion);
   panels_.heights->reset();
@@ -402,7 +407,8 @@ void MainWindow::dropEvent(QDropEvent* event) {
   if (const QString series = SeriesPanel::seriesOf(*event->mimeData()); !series.isEmpty()) {
     event->acceptProposedAction();
     // Opened from the event loop: the drag goes on until the drop has ended, and opening may ask.
-    const bool fromBeside = event->source() && event->source() != panels_.series->list();
+    const bool fromBeside = other() && other()->panels_.series->isSourceOf(*event->mimeData());
+    if (!fromBeside && !panels_.series->isSourceOf(*event->mimeData())) return;  // of another program
     QTimer::singleShot(0, panels_.series, [this, series, fromBeside] {
       if (fromBeside && other())
         files_->openSeriesOf(other()->workspace_.document.study(), series.toStdString());

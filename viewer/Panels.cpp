@@ -88,7 +88,8 @@ Panels makePanels(QMainWindow& window, Workspace& workspace) {
                 .tags = new TagsPanel(document, workspace.cursor, workspace.planes, workspace.options),
                 .labelTable = new LabelTable(document, workspace.placement, workspace.cursor),
                 .keyImages = new KeyImagesPanel(document, workspace.keyImages),
-                .reformat = new ReformatPanel(document, workspace.path, workspace.pathCameras, workspace.options),
+                .reformat = new ReformatPanel(
+                    {document, workspace.path, workspace.pathCameras, workspace.pathOpening, workspace.options}),
                 .heights = nullptr,
                 .seriesDock = nullptr,
                 .folding = nullptr};

@@ -148,6 +148,12 @@ struct SliceSource {
   bool operator==(const SliceSource&) const = default;
 };
 
+/// A series with the sources of its slices.
+struct ListedSlices {
+  SeriesInfo series;
+  std::vector<SliceSource> slices;  ///< as VolumeInfo has them
+};
+
 /// What is known of an open volume beside its voxels.
 struct VolumeInfo {
   std::string format;  ///< "DICOM", "NIfTI", "NRRD", "MetaImage", "MGH", "Analyze", "TIFF", "raw", "phantom"

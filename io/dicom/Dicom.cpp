@@ -271,6 +271,15 @@ std::vector<SeriesInfo> listDicomSeries(const fs::path& path, const OpenOptions&
   });
 }
 
+ListedSlices listDicomSlices(const fs::path& path, const OpenOptions& options) {
+  return withPackedFiles([&](PackedFiles& packed) {
+    std::vector<Candidate> candidates = candidatesOf(scanHeaders(path, {options.progress, 0.0, 1.0}, packed));
+    Candidate& candidate = candidates[chosen(candidates, path, options)];
+    for (fs::path& file : candidate.info.files) file = packed.named(file);
+    return ListedSlices{std::move(candidate.info), sourcesOf(candidate.stack)};
+  });
+}
+
 OpenedVolume openDicom(const fs::path& path, const OpenOptions& options) {
   return withPackedFiles([&](PackedFiles& packed) {
     OpenedVolume opened = openScanned(path, options, packed);

@@ -29,8 +29,9 @@ void put(double (&to)[3], glm::dvec3 from) {
 struct SlabJob {
   SlabLines lines;
   glm::dvec3 first{0.0}, right{0.0}, down{0.0}, along{0.0};
-  glm::dvec3 mm{0.0};  ///< across the slab, from voxel to voxel of each axis
-  double reach = 0.0;  ///< mm: a cell reaches so far across the slab, and a little more
+  /// How pixel column, pixel row and mm along the lines grow from voxel to voxel of each axis.
+  std::array<glm::dvec3, 3> growth{};
+  std::array<double, 3> reach{};  ///< by so much of them a cell reaches to each side, and a little more
   double from = std::numeric_limits<double>::infinity(), to = -from;
   int pieces = 0;
 
@@ -53,8 +54,12 @@ SlabJob slabJob(const Volume& volume, const SliceGeometry& geometry, int slice, 
   // What rounding left of an axis that the lines do not follow would move them by no thousandth of a voxel.
   for (int axis = 0; axis < 3; ++axis)
     if (std::abs(job.along[axis]) < 1e-9 * greatest) job.along[axis] = 0.0;
-  job.mm = glm::transpose(glm::dmat3(grid.worldFromIndex())) * normal;
-  job.reach = 1.1 * (std::abs(job.mm.x) + std::abs(job.mm.y) + std::abs(job.mm.z));
+  const glm::dmat3 fromIndex = glm::transpose(glm::inverse(glm::dmat3(job.right, job.down, job.along)));
+  for (int k = 0; k < 3; ++k) {
+    const auto at = static_cast<std::size_t>(k);
+    job.growth[at] = fromIndex[k];
+    job.reach[at] = 1.1 * (std::abs(fromIndex[k].x) + std::abs(fromIndex[k].y) + std::abs(fromIndex[k].z));
+  }
   for (const glm::dvec3 of : grid.corners()) {
     job.from = std::min(job.from, glm::dot(of - corner, normal));
     job.to = std::max(job.to, glm::dot(of - corner, normal));
@@ -115,6 +120,65 @@ BoxScalar<T> boxScalar(T stored) {
     return static_cast<BoxScalar<T>>(stored);
 }
 
+/// Rows of voxels that are asked for before they are copied: they lie far from one another in memory, and most of the
+/// time of copying them passed in waiting for the first voxel of each.
+constexpr int rowsAhead = 4;
+
+/// Asks for the voxels [first, last] of a row.
+template <class T>
+void prefetch(const T* row, int first, int last) {
+  constexpr int line = 64 / static_cast<int>(sizeof(T));  // of a processor's cache
+  for (int x = first; x < last; x += line) __builtin_prefetch(row + x);
+  __builtin_prefetch(row + last);
+}
+
+/// The space about the lines of a tile in a piece of the slab, with all voxels that they read. Of the box about oblique
+/// lines, much is other voxels.
+class Prism {
+ public:
+  /// `first`: the first voxel of the box.
+  Prism(const SlabJob& job, const SlabTile& tile, int piece, glm::ivec3 first) : first_(first) {
+    const double low[3] = {1.0 * tile.left, 1.0 * tile.top, job.end(piece)};
+    const double high[3] = {tile.right - 1.0, tile.bottom - 1.0, job.end(piece + 1)};
+    for (std::size_t k = 0; k < 3; ++k) {
+      const double at = glm::dot(job.growth[k], glm::dvec3(first) - job.first);
+      Side& side = sides_[k];
+      side = {.growth = job.growth[k], .low = low[k] - job.reach[k] - at, .high = high[k] + job.reach[k] - at};
+      // A row of a million voxels would leave it by no more than is allowed for rounding.
+      side.isAlong = std::abs(side.growth.x) < 1e-7 * job.reach[k];
+      side.perX = side.isAlong ? 0.0 : 1.0 / side.growth.x;
+    }
+  }
+
+  /// Which of the `count` voxels of a row of the box lie within: [first, end).
+  std::pair<int, int> row(int y, int z, int count) const {
+    double begin = 0.0, end = count - 1.0;
+    for (const Side& side : sides_) {
+      const double at = side.growth.y * (y - first_.y) + side.growth.z * (z - first_.z);
+      if (side.isAlong) {
+        if (at < side.low || at > side.high) return {0, 0};
+        continue;
+      }
+      const double a = (side.low - at) * side.perX, b = (side.high - at) * side.perX;
+      begin = std::max(begin, std::min(a, b));
+      end = std::min(end, std::max(a, b));
+    }
+    if (!(begin <= end)) return {0, 0};
+    return {static_cast<int>(begin), static_cast<int>(end) + 1};
+  }
+
+ private:
+  /// Between two planes: growth · position lies in [low, high], positions counted from the box's first voxel.
+  struct Side {
+    glm::dvec3 growth;
+    double low, high;
+    double perX = 0.0;     ///< 1 / growth.x
+    bool isAlong = false;  ///< rows do not leave it
+  };
+  glm::ivec3 first_;
+  std::array<Side, 3> sides_;
+};
+
 /// Computes a slab tile by tile, on one thread.
 template <class T>
 class SlabTiles {
@@ -123,7 +187,7 @@ class SlabTiles {
       : volume_(volume),
         job_(job),
         isMean_(mode == SlabMode::Mean),
-        kernel_(slabKernel(isMean_, sizeof(T) <= 2)),
+        kernel_(slabKernels(isMean_, sizeof(T) <= 2).front()),
         width_(width),
         values_(values) {}
 
@@ -150,13 +214,13 @@ class SlabTiles {
     for (int piece = 0; piece < job_.pieces; ++piece) {
       const VoxelRange range = voxelsOf(job_, tile, piece, dims);
       if (range.count() == 0) continue;
-      kernel_(job_.lines, copy(range, piece), tile, job_.end(piece), job_.end(piece + 1), sums_);
+      kernel_(job_.lines, copy(range, tile, piece), tile, job_.end(piece), job_.end(piece + 1), sums_);
     }
     write(tile);
   }
 
  private:
-  SlabBox copy(const VoxelRange& range, int piece) {
+  SlabBox copy(const VoxelRange& range, const SlabTile& tile, int piece) {
     const glm::ivec3 last = volume_.grid.dims - 1;
     SlabBox box;
     box.row = range.size().x;
@@ -165,12 +229,18 @@ class SlabTiles {
     voxels_.resize(static_cast<std::size_t>(range.count()) + 1);
     box.voxels = voxels_.data();
     const std::span<const T> stored = volume_.voxels.as<T>();
+    const auto rowOf = [&](int y, int z) {
+      return stored.data() + volume_.grid.offset({0, std::clamp(y, 0, last.y), std::clamp(z, 0, last.z)});
+    };
+    const Prism prism(job_, tile, piece, range.first);
     BoxScalar<T>* to = voxels_.data();
     for (int z = range.first.z; z <= range.last.z; ++z)
       for (int y = range.first.y; y <= range.last.y; ++y, to += box.row) {
-        const auto [first, end] = read({range.first.x, y, z}, box.row, piece);
-        const T* const row =
-            stored.data() + volume_.grid.offset({0, std::clamp(y, 0, last.y), std::clamp(z, 0, last.z)});
+        const auto [first, end] = prism.row(y, z, box.row);
+        if (first == end) continue;
+        const int begin = range.first.x + first, behind = range.first.x + end;
+        prefetch(rowOf(y + rowsAhead, z), std::clamp(begin, 0, last.x), std::clamp(behind - 1, 0, last.x));
+        const T* const row = rowOf(y, z);
         // Counted in the box's row, the volume's own voxels begin and end here.
         const int left = std::clamp(-range.first.x, first, end),
                   right = std::clamp(last.x + 1 - range.first.x, left, end);
@@ -179,19 +249,6 @@ class SlabTiles {
         std::fill(to + right, to + end, boxScalar(row[last.x]));
       }
     return box;
-  }
-
-  /// Which of `count` voxels of a row, the first of which is `at`, lie within a voxel of the piece of the slab: [first,
-  /// end). Of the box about oblique lines, much does not.
-  std::pair<int, int> read(glm::dvec3 at, int count, int piece) const {
-    const glm::dvec3& mm = job_.mm;
-    const double first = glm::dot(mm, at - job_.first);
-    const double low = job_.end(piece) - job_.reach - first, high = job_.end(piece + 1) + job_.reach - first;
-    if (std::abs(mm.x) * count < 0.01 * job_.reach)
-      return low <= 0.0 && high >= 0.0 ? std::pair(0, count) : std::pair(0, 0);
-    const double a = std::min(low / mm.x, high / mm.x), b = std::max(low / mm.x, high / mm.x);
-    const int begin = static_cast<int>(std::ceil(std::clamp(a, 0.0, 1.0 * count)));
-    return {begin, std::max(begin, static_cast<int>(std::floor(std::clamp(b, -1.0, count - 1.0))) + 1)};
   }
 
   void write(const SlabTile& tile) const {

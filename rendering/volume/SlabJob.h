@@ -2,6 +2,7 @@
 // What the kernels of thick slices are given, and what they write.
 
 #include <cstdint>
+#include <vector>
 
 namespace fenestra {
 
@@ -40,7 +41,8 @@ struct SlabSums {
 using SlabKernel = void (*)(const SlabLines& lines, const SlabBox& box, const SlabTile& tile, double from, double to,
                             SlabSums& sums);
 
-/// The kernel for this processor, of means or of extremes, for boxes of int16, or of double.
-SlabKernel slabKernel(bool ofMeans, bool ofInt16);
+/// The kernels that this processor can run, the fastest first and the one for any processor last; of means or of
+/// extremes, for boxes of int16, or of double.
+std::vector<SlabKernel> slabKernels(bool ofMeans, bool ofInt16);
 
 }  // namespace fenestra

@@ -25,17 +25,23 @@
 
 namespace fenestra {
 
-SlabKernel slabKernel(bool ofMeans, bool ofInt16) {
+std::vector<SlabKernel> slabKernels(bool ofMeans, bool ofInt16) {
+  std::vector<SlabKernel> kernels;
 #ifdef FENESTRA_SLAB_AVX2
   if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")) {
     if (ofInt16)
-      return ofMeans ? &with_avx2::slabKernel<std::int16_t, true> : &with_avx2::slabKernel<std::int16_t, false>;
-    return ofMeans ? &with_avx2::slabKernel<double, true> : &with_avx2::slabKernel<double, false>;
+      kernels.push_back(ofMeans ? &with_avx2::slabKernel<std::int16_t, true>
+                                : &with_avx2::slabKernel<std::int16_t, false>);
+    else
+      kernels.push_back(ofMeans ? &with_avx2::slabKernel<double, true> : &with_avx2::slabKernel<double, false>);
   }
 #endif
   if (ofInt16)
-    return ofMeans ? &any_processor::slabKernel<std::int16_t, true> : &any_processor::slabKernel<std::int16_t, false>;
-  return ofMeans ? &any_processor::slabKernel<double, true> : &any_processor::slabKernel<double, false>;
+    kernels.push_back(ofMeans ? &any_processor::slabKernel<std::int16_t, true>
+                              : &any_processor::slabKernel<std::int16_t, false>);
+  else
+    kernels.push_back(ofMeans ? &any_processor::slabKernel<double, true> : &any_processor::slabKernel<double, false>);
+  return kernels;
 }
 
 }  // namespace fenestra

@@ -5787,6 +5787,17 @@ Voxel außerhalb des Aufgenommenen: %8</translation>
     </message>
 </context>
 <context>
+    <name>fenestra::viewer::PathOpening</name>
+    <message>
+        <source>Radius of the opening</source>
+        <translation>Radius der Öffnung</translation>
+    </message>
+    <message>
+        <source>Opening along the path</source>
+        <translation>Öffnung entlang des Pfads</translation>
+    </message>
+</context>
+<context>
     <name>fenestra::viewer::PictureDialog</name>
     <message>
         <source>C%1</source>
@@ -6231,6 +6242,26 @@ Aus: erst die beste Ansicht, dann die beste daneben</translation>
     <message>
         <source>Both cameras keep the place on the path in the middle of their pictures as you move along it</source>
         <translation>Beide Kameras halten die Stelle des Pfades in der Mitte ihrer Bilder, während Sie ihn entlanggehen</translation>
+    </message>
+    <message>
+        <source>Open along the path</source>
+        <translation>Entlang des Pfads öffnen</translation>
+    </message>
+    <message>
+        <source>The view opens to a tube around the path, which goes along when the path changes</source>
+        <translation>Die Ansicht öffnet sich bis zu einer Röhre um den Pfad, die mitgeht, wenn er sich ändert</translation>
+    </message>
+    <message>
+        <source>Radius of the tube that the view opens to</source>
+        <translation>Radius der Röhre, bis zu der sich die Ansicht öffnet</translation>
+    </message>
+    <message>
+        <source>The tube around the path is in focus: untick Open along the path, and bring a vessel into focus.</source>
+        <translation>Die Röhre um den Pfad ist im Fokus: Schalten Sie „Entlang des Pfads öffnen“ aus, und bringen Sie ein Gefäß in den Fokus.</translation>
+    </message>
+    <message>
+        <source>Radius</source>
+        <translation>Radius</translation>
     </message>
 </context>
 <context>

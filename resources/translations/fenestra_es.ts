@@ -5787,6 +5787,17 @@ Vóxeles fuera de lo adquirido: %8</translation>
     </message>
 </context>
 <context>
+    <name>fenestra::viewer::PathOpening</name>
+    <message>
+        <source>Radius of the opening</source>
+        <translation>Radio de la abertura</translation>
+    </message>
+    <message>
+        <source>Opening along the path</source>
+        <translation>Abertura a lo largo del trayecto</translation>
+    </message>
+</context>
+<context>
     <name>fenestra::viewer::PictureDialog</name>
     <message>
         <source>C%1</source>
@@ -6231,6 +6242,26 @@ Desactivado: primero la mejor vista, luego la mejor junto a ella</translation>
     <message>
         <source>Both cameras keep the place on the path in the middle of their pictures as you move along it</source>
         <translation>Ambas cámaras mantienen el lugar del trayecto en el centro de sus imágenes mientras lo recorre</translation>
+    </message>
+    <message>
+        <source>Open along the path</source>
+        <translation>Abrir a lo largo del trayecto</translation>
+    </message>
+    <message>
+        <source>The view opens to a tube around the path, which goes along when the path changes</source>
+        <translation>La vista se abre hasta un tubo alrededor del trayecto, que lo sigue cuando cambia</translation>
+    </message>
+    <message>
+        <source>Radius of the tube that the view opens to</source>
+        <translation>Radio del tubo hasta el que se abre la vista</translation>
+    </message>
+    <message>
+        <source>The tube around the path is in focus: untick Open along the path, and bring a vessel into focus.</source>
+        <translation>El tubo alrededor del trayecto es el foco: desmarque «Abrir a lo largo del trayecto» y ponga un vaso en el foco.</translation>
+    </message>
+    <message>
+        <source>Radius</source>
+        <translation>Radio</translation>
     </message>
 </context>
 <context>

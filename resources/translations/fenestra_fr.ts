@@ -5787,6 +5787,17 @@ Voxels hors de ce qui a été acquis&#xa0;: %8</translation>
     </message>
 </context>
 <context>
+    <name>fenestra::viewer::PathOpening</name>
+    <message>
+        <source>Radius of the opening</source>
+        <translation>Rayon de l&apos;ouverture</translation>
+    </message>
+    <message>
+        <source>Opening along the path</source>
+        <translation>Ouverture le long du trajet</translation>
+    </message>
+</context>
+<context>
     <name>fenestra::viewer::PictureDialog</name>
     <message>
         <source>C%1</source>
@@ -6231,6 +6242,26 @@ Sinon&#xa0;: d&apos;abord la meilleure vue, puis la meilleure à côté</transla
     <message>
         <source>Both cameras keep the place on the path in the middle of their pictures as you move along it</source>
         <translation>Les deux caméras gardent la position du trajet au milieu de leurs images quand vous le parcourez</translation>
+    </message>
+    <message>
+        <source>Open along the path</source>
+        <translation>Ouvrir le long du trajet</translation>
+    </message>
+    <message>
+        <source>The view opens to a tube around the path, which goes along when the path changes</source>
+        <translation>La vue s&apos;ouvre jusqu&apos;à un tube autour du trajet, qui le suit quand il change</translation>
+    </message>
+    <message>
+        <source>Radius of the tube that the view opens to</source>
+        <translation>Rayon du tube jusqu&apos;où la vue s&apos;ouvre</translation>
+    </message>
+    <message>
+        <source>The tube around the path is in focus: untick Open along the path, and bring a vessel into focus.</source>
+        <translation>Le tube autour du trajet est la cible&#xa0;: décochez «&#xa0;Ouvrir le long du trajet&#xa0;» et prenez un vaisseau pour cible.</translation>
+    </message>
+    <message>
+        <source>Radius</source>
+        <translation>Rayon</translation>
     </message>
 </context>
 <context>

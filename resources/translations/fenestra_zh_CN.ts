@@ -5784,6 +5784,17 @@ Voxels outside of what was scanned: %8</source>
     </message>
 </context>
 <context>
+    <name>fenestra::viewer::PathOpening</name>
+    <message>
+        <source>Radius of the opening</source>
+        <translation>开口半径</translation>
+    </message>
+    <message>
+        <source>Opening along the path</source>
+        <translation>沿路径的开口</translation>
+    </message>
+</context>
+<context>
     <name>fenestra::viewer::PictureDialog</name>
     <message>
         <source>C%1</source>
@@ -6226,6 +6237,26 @@ Off: first the best view, then the best one beside it</source>
     <message>
         <source>Both cameras keep the place on the path in the middle of their pictures as you move along it</source>
         <translation>沿路径移动时，两台相机都使路径上的位置保持在图像中央</translation>
+    </message>
+    <message>
+        <source>Open along the path</source>
+        <translation>沿路径打开</translation>
+    </message>
+    <message>
+        <source>The view opens to a tube around the path, which goes along when the path changes</source>
+        <translation>视图打开至路径周围的管状区域；路径改变时它随之移动</translation>
+    </message>
+    <message>
+        <source>Radius of the tube that the view opens to</source>
+        <translation>视图打开至的管状区域的半径</translation>
+    </message>
+    <message>
+        <source>The tube around the path is in focus: untick Open along the path, and bring a vessel into focus.</source>
+        <translation>路径周围的管状区域是焦点：请取消“沿路径打开”，并将血管设为焦点。</translation>
+    </message>
+    <message>
+        <source>Radius</source>
+        <translation>半径</translation>
     </message>
 </context>
 <context>

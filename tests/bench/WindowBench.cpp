@@ -4,7 +4,9 @@
 // rest, and the longest time that one event kept the window's thread busy, with what of it the thread itself worked:
 // the rest it waited, for another program on a busy machine. With --grow L,P,S it clicks there, with --correct also
 // outside the region that grows, and that --rounds times in the study opened anew; then it moves the region's
-// tolerance and turns it, also as a label. Needs a display with OpenGL. Takes the options of a scene and --seconds.
+// tolerance and turns it, also as a label. With --scroll it turns the wheel over a slice alone, with --beside it opens
+// the study twice, side by side, and tells the memory. Needs a display with OpenGL. Takes the options of a scene and
+// --seconds.
 
 #include <algorithm>
 #include <array>
@@ -25,6 +27,8 @@
 #include "app/SceneOptions.h"
 #include "app/ScheduleChoice.h"
 #include "io/study/ReadStudy.h"
+#include "tests/bench/BesideBench.h"
+#include "tests/bench/ScrollBench.h"
 #include "tests/gui/TimedApplication.h"
 #include "viewer/MainWindow.h"
 #include "viewer/panels/AppearancePanel.h"
@@ -117,6 +121,16 @@ class Bench {
       : application_(application), window_(window), seconds_(seconds), times_(window.views().volumeViews()) {}
 
   Json start() { return {{"first_picture", untilDrawn()}}; }
+
+  Json scroll() {
+    return scrollRates(window_, [this] { waitUntilDrawn(); });
+  }
+
+  Json beside(const io::StudyRequest& study) {
+    return besideMemory(
+        window_, [study](const io::Progress& progress) { return io::readStudy(study, progress); },
+        [](MainWindow& window) { untilAtRest(window); });
+  }
 
   Json run() {
     Json result = start();
@@ -248,9 +262,10 @@ class Bench {
     return result;
   }
 
-  void waitUntilDrawn() {
+  void waitUntilDrawn() { untilAtRest(window_); }
+  static void untilAtRest(MainWindow& window) {
     bool drawn = false;
-    window_.whenDrawn([&] { drawn = true; });
+    window.whenDrawn([&] { drawn = true; });
     waitUntil("pictures at rest", [&] { return drawn; });
   }
 
@@ -389,6 +404,10 @@ int main(int argc, char** argv) {
   bool onlyStart = false;
   program.add_option("--seconds", seconds, "length of each drag");
   program.add_flag("--only-start", onlyStart, "end once the first pictures are at rest");
+  bool scroll = false;
+  program.add_flag("--scroll", scroll, "only scroll slices");
+  bool beside = false;
+  program.add_flag("--beside", beside, "only open the study twice, side by side");
   std::vector<double> seed;
   CLI::Option* grow =
       program.add_option("--grow", seed, "L,P,S in mm: only grow a region from there")->delimiter(',')->expected(3);
@@ -432,11 +451,17 @@ int main(int argc, char** argv) {
     while (!opened && !failed) wait(1);
     return opened;
   };
+  if (beside) {
+    std::cout << bench.beside(options).dump(2) << '\n';
+    return 0;
+  }
   Json result;
   for (int round = 0; round < (grow->empty() ? 1 : rounds); ++round) {
     if (!open()) return 1;
     if (onlyStart)
       result = bench.start();
+    else if (scroll)
+      result = bench.scroll();
     else if (grow->empty())
       result = bench.run();
     else

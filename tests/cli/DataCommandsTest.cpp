@@ -118,6 +118,17 @@ TEST_F(DataCommands, TagsOfASliceAreListedWithoutThePatient) {
     EXPECT_EQ(outside.exitCode, 1);
     EXPECT_NE(outside.error.find("slices run from 0 to 2"), std::string::npos) << outside.error;
   }
+  // Pixels are not decoded: a slice whose pixels are damaged is listed, too.
+  DicomSpec packed = pictureSpec(Syntax::JpegLossless);
+  packed.patientName = "Vermeer^Johanna";
+  const fs::path damaged = at("damaged.dcm");
+  writeDicom(damaged, packed);
+  std::string bytes = contents(damaged);
+  bytes.replace(bytes.size() - 200, 150, std::string(150, '\x55'));
+  std::ofstream(damaged, std::ios::binary) << bytes;
+  EXPECT_EQ(run({"info", damaged.string()}).exitCode, 1) << "its pixels cannot be decoded";
+  EXPECT_EQ(run({"info", damaged.string(), "--tags"}).json()["slices"], 1);
+
   const Result phantom = run({"info", "--phantom", "head", "--phantom-voxels", "16", "--tags"});
   EXPECT_EQ(phantom.exitCode, 1);
   EXPECT_NE(phantom.error.find("has no DICOM attributes"), std::string::npos) << phantom.error;

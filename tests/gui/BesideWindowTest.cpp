@@ -1,16 +1,30 @@
 // Two studies side by side, as a user opens, links, matches and closes them.
 
+#include <filesystem>
+#include <memory>
+#include <string>
+
 #include <QAction>
+#include <QApplication>
+#include <QDockWidget>
+#include <QDropEvent>
 #include <QFile>
+#include <QMenu>
+#include <QMimeData>
 #include <QSignalSpy>
 #include <QTest>
 #include <QToolButton>
+#include <QTreeWidget>
 
+#include "io/study/ReadStudy.h"
 #include "tests/gui/WindowFixture.h"
+#include "tests/io/DicomWriter.h"
+#include "tests/support/TestData.h"
 #include "viewer/bars/NoticeBar.h"
 #include "viewer/bars/StudyLinkBar.h"
 #include "viewer/files/Sessions.h"
 #include "viewer/model/StudyLink.h"
+#include "viewer/panels/SeriesPanel.h"
 
 namespace fenestra::viewer::besideWindowTest {
 namespace {
@@ -38,6 +52,33 @@ class Beside : public Window {
   }
   static glm::dvec3 crosshair(MainWindow& window) { return window.workspace().cursor.position(); }
 };
+
+/// Two series of one patient, three slices each; one of them is open.
+io::Study twoSeries() {
+  const std::filesystem::path folder = tests::scratchFolder() / "series";
+  std::filesystem::create_directories(folder);
+  for (int image = 0; image < 6; ++image) {
+    tests::DicomSpec spec;
+    spec.series = image < 3 ? "1.2.1" : "1.2.2";
+    spec.seriesNumber = image < 3 ? "1" : "2";
+    spec.instance = "1.2.9." + std::to_string(image);
+    spec.columns = spec.rows = 16;
+    spec.position = glm::dvec3(0, 0, (image < 3 ? 2.0 : 1.0) * image);
+    tests::writeDicom(folder / std::to_string(image), spec);
+  }
+  io::DataRequest request;
+  request.path = folder;
+  return io::openData(request);
+}
+
+std::string seriesOf(MainWindow& window) { return window.workspace().document.study().series.id; }
+
+/// The row of a series in a window's list.
+QTreeWidgetItem* rowOf(MainWindow& window, const std::string& id) {
+  for (QTreeWidgetItem* row : window.findChild<SeriesPanel*>()->rows())
+    if (row->data(0, Qt::UserRole).toString().toStdString() == id) return row;
+  return nullptr;
+}
 
 // Indices there and back round in the last digits; mm.
 constexpr double rounding = 1e-9;
@@ -125,6 +166,50 @@ TEST_F(Beside, SharesWhatAUserSetsAndAsksBothForUnsavedWork) {
   EXPECT_EQ(asked, 2);
   EXPECT_FALSE(window_->isVisible());
   EXPECT_FALSE(beside.isVisible());
+}
+
+TEST_F(Beside, ASeriesOpensBesideByItsMenuAndByADragFromTheOtherWindow) {
+  open(twoSeries());
+  const std::string left = seriesOf(*window_), other = left == "1.2.1" ? "1.2.2" : "1.2.1";
+  window_->findChild<QDockWidget*>(QStringLiteral("seriesDock"))->show();
+  SeriesPanel& list = *window_->findChild<SeriesPanel*>();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return rowOf(*window_, other) != nullptr; }, patience));
+
+  // By the menu of its row.
+  Q_EMIT list.list()->customContextMenuRequested(list.list()->visualItemRect(rowOf(*window_, other)).center());
+  auto* menu = list.findChild<QMenu*>();
+  ASSERT_TRUE(menu);
+  ASSERT_EQ(menu->actions().size(), 2);
+  EXPECT_EQ(menu->actions()[1]->text(), QStringLiteral("Open beside"));
+  menu->actions()[1]->trigger();
+  menu->close();
+  MainWindow& beside = window_->showBeside();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return seriesOf(beside) == other; }, patience));
+  EXPECT_EQ(seriesOf(*window_), left);
+
+  // A drag of what is open on the left, onto a view on the right, whose study knows nothing of that series.
+  QSignalSpy opened(&beside, &MainWindow::opened);
+  beside.open([](const io::Progress&) { return markedBall(); });
+  ASSERT_TRUE(opened.count() > 0 || opened.wait(patience));
+  const auto drop = [&](MainWindow& onto, const QMimeData& data) {
+    const QPoint at = axial(onto)->mapTo(&onto, axial(onto)->rect().center());
+    QDragEnterEvent enters(at, Qt::CopyAction, &data, Qt::LeftButton, {});
+    QApplication::sendEvent(&onto, &enters);
+    EXPECT_TRUE(enters.isAccepted());
+    QDropEvent drops(at, Qt::CopyAction, &data, Qt::LeftButton, {});
+    QApplication::sendEvent(&onto, &drops);
+  };
+  QTreeWidget& rows = *list.list();
+  const auto dragged = [&](const std::string& id) {
+    return std::unique_ptr<QMimeData>(rows.model()->mimeData({rows.indexFromItem(rowOf(*window_, id))}));
+  };
+  drop(beside, *dragged(left));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return seriesOf(beside) == left; }, patience));
+  EXPECT_EQ(seriesOf(*window_), left);
+  // On its own window it opens there.
+  drop(*window_, *dragged(other));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return seriesOf(*window_) == other; }, patience));
+  EXPECT_EQ(seriesOf(beside), left);
 }
 
 }  // namespace fenestra::viewer::besideWindowTest

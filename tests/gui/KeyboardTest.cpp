@@ -74,6 +74,39 @@ TEST_F(Keyboard, TabReachesEveryControl) {
   });
 }
 
+/// As one reads: no step of Tab within a panel goes back up, but to the top of a column further right.
+TEST_F(Keyboard, TabGoesDownEachPanel) {
+  int steps = 0;
+  // Those that are not open at first, too: a row of them where nothing covers the column of panels.
+  for (QDockWidget* dock : window_->findChildren<QDockWidget*>())
+    if (dock->isHidden()) dock->show();
+  waitUntilDrawn();
+  forEachDock([&] {
+    QWidget* before = volume(0);
+    before->setFocus(Qt::TabFocusReason);
+    for (int presses = 0; presses < 300; ++presses) {
+      QTest::keyClick(QApplication::focusWidget(), Qt::Key_Tab);
+      QWidget* now = QApplication::focusWidget();
+      if (!now || now == volume(0)) break;
+      const auto dockOf = [](QWidget* widget) -> QDockWidget* {
+        for (QWidget* each = widget; each; each = each->parentWidget())
+          if (auto* dock = qobject_cast<QDockWidget*>(each)) return dock;
+        return nullptr;
+      };
+      QDockWidget* dock = dockOf(now);
+      if (dock && dock == dockOf(before)) {
+        const QRect from(before->mapTo(dock, QPoint()), before->size()), to(now->mapTo(dock, QPoint()), now->size());
+        // A title's buttons stand beside it, and a list holds what is edited in it.
+        const bool isUp = to.bottom() <= from.top() && to.left() < from.right();
+        EXPECT_FALSE(isUp) << nameOf(before) << "\n-> " << nameOf(now);
+        ++steps;
+      }
+      before = now;
+    }
+  });
+  EXPECT_GT(steps, 50);
+}
+
 TEST_F(Keyboard, TheFocusShows) {
   for (const Theme theme : {Theme::Dark, Theme::Light}) {
     applyStyle(*qApp, theme);

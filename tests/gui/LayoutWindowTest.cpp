@@ -257,6 +257,32 @@ TEST_F(Sections, FitASmallLaptop) {
   EXPECT_TRUE(isInSight(*focus.region()->slider()));
 }
 
+TEST_F(Sections, ThoseOpenedLastAreOpenAtTheNextStart) {
+  useScratchSettings();
+  const MainWindow::Setup setup{.gl = {.problem = QStringLiteral("slices are enough here")}};
+  const auto isOpenIn = [](MainWindow& window, const char* name) {
+    return !window.findChild<QDockWidget*>(QLatin1String(name))->widget()->isHidden();
+  };
+  {
+    MainWindow window(setup);
+    window.resize(1366, 720);
+    window.show();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !isOpenIn(window, "camerasDock"); }, patience)) << "no room for it";
+    EXPECT_TRUE(isOpenIn(window, "cutawayDock"));
+    auto* cameras = window.findChild<QDockWidget*>(QStringLiteral("camerasDock"));
+    cameras->findChild<QToolButton*>(QStringLiteral("fold"))->click();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !isOpenIn(window, "cutawayDock"); }, patience));
+    window.close();
+  }
+  MainWindow again(setup);
+  again.show();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !isOpenIn(again, "cutawayDock"); }, patience));
+  EXPECT_TRUE(isOpenIn(again, "camerasDock"));
+  again.findChild<QAction*>(QStringLiteral("resetLayout"))->trigger();
+  EXPECT_TRUE(
+      QTest::qWaitFor([&] { return isOpenIn(again, "cutawayDock") && !isOpenIn(again, "camerasDock"); }, patience));
+}
+
 TEST_F(Window, AFoldedPanelKeepsItsTitleAlone) {
   useScratchSettings();
   const MainWindow::Setup setup{.gl = {.problem = QStringLiteral("slices are enough here")}};

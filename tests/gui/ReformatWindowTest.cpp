@@ -4,10 +4,13 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <numbers>
 
 #include <gtest/gtest.h>
 
+#include <QCheckBox>
 #include <QDockWidget>
+#include <QDoubleSpinBox>
 #include <QPushButton>
 #include <QTest>
 #include <QToolButton>
@@ -17,6 +20,7 @@
 #include "tests/gui/Conventions.h"
 #include "tests/support/TestData.h"
 #include "viewer/files/Sessions.h"
+#include "viewer/model/PathTube.h"
 #include "viewer/model/SessionController.h"
 #include "viewer/panels/ReformatPanel.h"
 #include "viewer/panels/ReformatPicture.h"
@@ -138,6 +142,28 @@ class ReformatWindow : public Conventions {
     EXPECT_EQ(moved[13], line[13]);
     EXPECT_EQ(moved[0], line[0]);
   }
+  /// Once it is grown. `middle` and `length` are those of a straight path along an axis.
+  void expectTubeInFocus(glm::dvec3 middle, double length, double radius) {
+    ASSERT_TRUE(QTest::qWaitFor([this] { return document().isWhole(); }, patience));
+    EXPECT_TRUE(document().showsGrowth());
+    // A cylinder with half a ball at each end. Voxels of 2 mm hold the volume of a tube of 14 mm to some percent.
+    const double wanted = std::numbers::pi * radius * radius * (length + 4.0 / 3.0 * radius);
+    EXPECT_NEAR(document().regionVolume(), wanted, 0.05 * wanted);
+    const LabelMap& steps = *document().growth()->steps;
+    glm::dvec3 sum(0.0);
+    double count = 0.0;
+    const auto voxels = steps.voxels.as<std::uint8_t>();
+    const glm::ivec3 dims = steps.grid.dims;
+    for (int z = 0; z < dims.z; ++z)
+      for (int y = 0; y < dims.y; ++y)
+        for (int x = 0; x < dims.x; ++x)
+          if (voxels[steps.grid.offset({x, y, z})] > 0) {
+            sum += glm::dvec3(steps.grid.worldFromIndex() * glm::dvec4(x, y, z, 1.0));
+            ++count;
+          }
+    ASSERT_GT(count, 0.0);
+    EXPECT_LT(glm::distance(sum / count, middle), 0.5) << "a quarter of a voxel";
+  }
   void waitForPictures() {
     ASSERT_TRUE(QTest::qWaitFor([this] { return reformat().isVisible() && !reformat().isBusy(); }, patience));
   }
@@ -251,6 +277,57 @@ TEST_F(ReformatWindow, TheFocusGivesItsCentreLineWithAreas) {
   document().setFocus(std::monostate{});
   follow();
   EXPECT_TRUE(reformat().text().contains(QStringLiteral("into focus first"))) << reformat().text().toStdString();
+}
+
+TEST_F(ReformatWindow, TheViewOpensAlongThePathAndGoesWithIt) {
+  open(tubeStudy());
+  document().focusOn(tube);
+  const std::vector<glm::dvec3> line{{5, -5, -30}, {5, -5, 30}};
+  document().setPath(line, QStringLiteral("Path"));
+  window_->findChild<QDockWidget*>(QStringLiteral("reformatDock"))->show();
+  path().setPlace(30.0);
+  ASSERT_TRUE(QTest::qWaitFor([this] { return !reformat().isBusy() && reformat().section(); }, patience));
+  const int steps = document().undoStack().index();
+  reformat().opensAlong()->click();
+  EXPECT_EQ(document().undoStack().index(), steps + 1);
+  expectTubeInFocus({5, -5, 0}, 60.0, reformat().tubeRadius()->value());
+  EXPECT_TRUE(reformat().opensAlong()->isChecked());
+  // The area stays that of the vessel: the tube's own says nothing.
+  path().setPlace(20.0);
+  ASSERT_TRUE(QTest::qWaitFor([this] { return !reformat().isBusy() && reformat().section(); }, patience));
+  EXPECT_NEAR(reformat().section()->radius(), tubeRadius, 1.0);
+  reformat().followFocus();
+  EXPECT_EQ(document().path(), line);
+  EXPECT_TRUE(reformat().text().contains(QStringLiteral("untick"))) << reformat().text().toStdString();
+
+  reformat().tubeRadius()->setValue(14.0);
+  expectTubeInFocus({5, -5, 0}, 60.0, 14.0);
+  // Another path takes the tube along, in one step.
+  document().setPath({{-10, -20, 0}, {-10, 20, 0}}, QStringLiteral("Path"));
+  EXPECT_EQ(document().undoStack().index(), steps + 3);
+  expectTubeInFocus({-10, 0, 0}, 40.0, 14.0);
+  document().undoStack().undo();
+  EXPECT_EQ(document().path(), line);
+  expectTubeInFocus({5, -5, 0}, 60.0, 14.0);
+
+  // A session knows by the focus alone that it is the tube.
+  io::Session session = window_->sessions().controller().session();
+  session.phantom = {"head", 32};
+  const std::filesystem::path file = tests::scratchFolder() / "tube.fenestra";
+  io::writeSession(file, session);
+  const io::Session read = io::readSession(file);
+  EXPECT_EQ(viewer::tubeRadius(read.look.focus, read.path), std::optional(14.0));
+  EXPECT_EQ(viewer::tubeRadius(read.look.focus, {{5, -5, -30}, {5, -5, 31}}), std::nullopt);
+
+  reformat().opensAlong()->click();
+  EXPECT_EQ(document().focus(), Focus(LabelFocus{{tube}})) << "what was in focus before";
+  document().undoStack().undo();
+  EXPECT_TRUE(reformat().opensAlong()->isChecked());
+  document().setPath({}, QStringLiteral("Delete"));
+  EXPECT_TRUE(std::holds_alternative<std::monostate>(document().focus()));
+  EXPECT_FALSE(reformat().opensAlong()->isEnabled());
+  document().undoStack().undo();
+  expectTubeInFocus({5, -5, 0}, 60.0, 14.0);
 }
 
 TEST_F(ReformatWindow, SessionsKeepThePath) {

@@ -280,12 +280,12 @@ TEST_F(Window, TheListOfSeriesOpensAnother) {
   EXPECT_EQ(document().study().series.id, "1.2.3.3");
   EXPECT_TRUE(panel->rows()[1]->font(0).bold());
 
-  QMimeData drag;
-  drag.setData(QStringLiteral("application/x-fenestra-series"), "1.2.3.1");
-  QDragEnterEvent enter(QPoint(600, 300), Qt::CopyAction, &drag, Qt::LeftButton, Qt::NoModifier);
+  const std::unique_ptr<QMimeData> drag(
+      panel->list()->model()->mimeData({panel->list()->indexFromItem(panel->rows()[0])}));
+  QDragEnterEvent enter(QPoint(600, 300), Qt::CopyAction, drag.get(), Qt::LeftButton, Qt::NoModifier);
   QApplication::sendEvent(window_.get(), &enter);
   EXPECT_TRUE(enter.isAccepted());
-  QDropEvent drop(QPointF(600, 300), Qt::CopyAction, &drag, Qt::LeftButton, Qt::NoModifier);
+  QDropEvent drop(QPointF(600, 300), Qt::CopyAction, drag.get(), Qt::LeftButton, Qt::NoModifier);
   QApplication::sendEvent(window_.get(), &drop);
   ASSERT_TRUE(opened.wait(patience));
   EXPECT_EQ(document().study().series.id, "1.2.3.1");

@@ -5,6 +5,7 @@
 
 #include "io/TransferFunctionFile.h"
 #include "viewer/model/DocumentChanges.h"
+#include "viewer/model/PathTube.h"
 
 namespace fenestra::viewer {
 
@@ -306,9 +307,15 @@ void Document::showPath(std::vector<glm::dvec3> path) {
 }
 
 void Document::setPath(std::vector<glm::dvec3> path, const QString& name) {
-  std::vector<glm::dvec3> before = path_;
-  showPath(std::move(path));
-  history_.push(name, std::make_shared<PathChange>(parts(), std::move(before), path_));
+  PathChange::State before{path_}, after{std::move(path)};
+  if (const std::optional<double> radius = tubeRadius(focus(), path_)) {
+    before.focus = focus();
+    after.focus = after.path.empty() ? Focus() : tubeAround(after.path, *radius);
+  }
+  auto change = std::make_shared<PathChange>(parts(), std::move(before), std::move(after));
+  if (change->isNothing()) return;
+  change->redo();
+  history_.push(name, std::move(change));
 }
 
 void Document::showKeyImages(std::vector<io::KeyImage> images) {

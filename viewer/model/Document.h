@@ -169,7 +169,7 @@ class Document : public QObject, private DocumentParts {
 
   /// The points that the straightened picture follows (PathMode), LPS in mm, two or more; empty: none.
   const std::vector<glm::dvec3>& path() const { return path_; }
-  /// Sets them as one step.
+  /// Sets them as one step. A focus that is the tube around the path (PathTube.h) goes along, and ends with the path.
   void setPath(std::vector<glm::dvec3> path, const QString& name);
 
   /// States of the window that the user keeps, in the user's order; see KeyImages.

@@ -77,9 +77,28 @@ bool MeasuresChange::absorb(const Change& next) {
 
 std::size_t MeasuresChange::bytes() const { return sizeof(*this) + heldBy(before_) + heldBy(after_); }
 
+void PathChange::show(const State& state) {
+  parts_.showPath(state.path);
+  if (!state.focus) return;
+  Look look = parts_.look();
+  look.focus = *state.focus;
+  parts_.show(std::move(look));
+}
+
 bool PathChange::absorb(const Change& next) {
-  after_ = static_cast<const PathChange&>(next).after_;
+  const State& later = static_cast<const PathChange&>(next).after_;
+  if (later.focus.has_value() != after_.focus.has_value()) return false;
+  after_ = later;
   return true;
+}
+
+std::size_t PathChange::bytes() const {
+  std::size_t bytes = sizeof(*this);
+  for (const State* state : {&before_, &after_}) {
+    bytes += state->path.capacity() * sizeof(glm::dvec3);
+    if (state->focus) bytes += heldBy(*state->focus);
+  }
+  return bytes;
 }
 
 std::size_t KeyImagesChange::bytes() const {

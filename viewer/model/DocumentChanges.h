@@ -2,6 +2,7 @@
 // The steps of a document's history: each turns one part of the document into what it was before or after.
 
 #include <cstdint>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -69,23 +70,28 @@ class MeasuresChange : public Change {
   std::vector<Measure> before_, after_;
 };
 
-/// From one path of the straightened picture to another.
+/// From one path of the straightened picture to another, and from one focus to another where that follows the path.
 class PathChange : public Change {
  public:
-  PathChange(DocumentParts& parts, std::vector<glm::dvec3> before, std::vector<glm::dvec3> after)
+  struct State {
+    std::vector<glm::dvec3> path;
+    std::optional<Focus> focus{};  ///< empty: it stays as it is
+    bool operator==(const State&) const = default;
+  };
+  PathChange(DocumentParts& parts, State before, State after)
       : parts_(parts), before_(std::move(before)), after_(std::move(after)) {}
 
-  void undo() override { parts_.showPath(before_); }
-  void redo() override { parts_.showPath(after_); }
+  void undo() override { show(before_); }
+  void redo() override { show(after_); }
   bool absorb(const Change& next) override;
   bool isNothing() const override { return before_ == after_; }
-  std::size_t bytes() const override {
-    return sizeof(*this) + (before_.capacity() + after_.capacity()) * sizeof(glm::dvec3);
-  }
+  std::size_t bytes() const override;
 
  private:
+  void show(const State& state);
+
   DocumentParts& parts_;
-  std::vector<glm::dvec3> before_, after_;
+  State before_, after_;
 };
 
 /// From one list of key images to another.

@@ -26,6 +26,7 @@ const QString serversKey = QStringLiteral("archive/servers");
 const QString searchesKey = QStringLiteral("archive/searches");
 const QString archiveFolderKey = QStringLiteral("archive/folder");
 const QString foldedKey = QStringLiteral("layout/folded");
+const QString openedKey = QStringLiteral("layout/opened");
 const QString ownLayoutsKey = QStringLiteral("layout/own");
 const QString ownWindowsKey = QStringLiteral("window/own");
 const QString keysKey = QStringLiteral("keys/changed");
@@ -273,6 +274,8 @@ QByteArray Preferences::windowGeometry() const { return value(geometryKey).toByt
 QByteArray Preferences::windowState() const { return value(stateKey).toByteArray(); }
 QStringList Preferences::foldedPanels() const { return value(foldedKey).toStringList(); }
 void Preferences::setFoldedPanels(const QStringList& names) { store(foldedKey, names); }
+QStringList Preferences::openedPanels() const { return value(openedKey).toStringList(); }
+void Preferences::setOpenedPanels(const QStringList& names) { store(openedKey, names); }
 QByteArray Preferences::viewLayout() const { return value(viewsKey).toByteArray(); }
 
 void Preferences::setLayout(const QByteArray& geometry, const QByteArray& state, const QByteArray& views) {

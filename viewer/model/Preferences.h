@@ -104,6 +104,9 @@ class Preferences : public QObject {
   /// Names of the panels that are folded.
   QStringList foldedPanels() const;
   void setFoldedPanels(const QStringList& names);
+  /// Those that the user opened last, by the names of their objects, the latest first.
+  QStringList openedPanels() const;
+  void setOpenedPanels(const QStringList& names);
   void setLayout(const QByteArray& geometry, const QByteArray& state, const QByteArray& views);
 
   /// The user's own layouts of the views by name, as ViewArea::saveLayout() gives them.

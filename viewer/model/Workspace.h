@@ -10,6 +10,7 @@
 #include "viewer/model/MeasureMode.h"
 #include "viewer/model/PathCameras.h"
 #include "viewer/model/PathMode.h"
+#include "viewer/model/PathOpening.h"
 #include "viewer/model/PlacementController.h"
 #include "viewer/model/Preferences.h"
 #include "viewer/model/RegionBall.h"
@@ -39,6 +40,7 @@ struct Workspace {
   MeasureMode measuring{document};
   PathMode path{document, cursor, measuring, tool};
   PathCameras pathCameras{{document, path, cameras, options}};
+  PathOpening pathOpening{document};
   Preferences preferences;
   LookLibrary looks{preferences.looksFolder()};
 };

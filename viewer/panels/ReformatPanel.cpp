@@ -13,6 +13,7 @@
 #include <QLabel>
 #include <QLocale>
 #include <QPushButton>
+#include <QSignalBlocker>
 #include <QToolButton>
 #include <QVBoxLayout>
 #include <glm/gtc/constants.hpp>
@@ -23,6 +24,7 @@
 #include "viewer/model/Document.h"
 #include "viewer/model/PathCameras.h"
 #include "viewer/model/PathMode.h"
+#include "viewer/model/PathOpening.h"
 #include "viewer/model/ViewOptions.h"
 #include "viewer/panels/ReformatPicture.h"
 
@@ -58,19 +60,21 @@ QDoubleSpinBox* spin(double low, double high, double value, double step, const Q
 
 }  // namespace
 
-ReformatPanel::ReformatPanel(Document& document, PathMode& mode, PathCameras& cameras, const ViewOptions& options,
-                             QWidget* parent)
+ReformatPanel::ReformatPanel(const Parts& parts, QWidget* parent)
     : QWidget(parent),
-      document_(document),
-      mode_(mode),
+      document_(parts.document),
+      mode_(parts.mode),
+      opening_(parts.opening),
       draw_(new QToolButton),
       follow_(new QPushButton(tr("Follow the f&ocus"))),
       delete_(new QPushButton(tr("De&lete"))),
       width_(spin(5.0, 500.0, 50.0, 5.0, tr(" mm"))),
       angle_(spin(-180.0, 180.0, 0.0, 15.0, tr("°"))),
       camerasFollow_(new QCheckBox(tr("Cameras follow"))),
-      straight_(new ReformatPicture(document)),
-      across_(new ReformatPicture(document)),
+      opensAlong_(new QCheckBox(tr("Open along the path"))),
+      tubeRadius_(spin(PathOpening::least, PathOpening::most, opening_.radius(), 1.0, tr(" mm"))),
+      straight_(new ReformatPicture(document_)),
+      across_(new ReformatPicture(document_)),
       says_(new QLabel) {
   // Looks pressed while a path is drawn, which a push button of the style hardly does.
   draw_->setText(tr("Dra&w"));
@@ -86,10 +90,9 @@ ReformatPanel::ReformatPanel(Document& document, PathMode& mode, PathCameras& ca
   angle_->setWrapping(true);
   camerasFollow_->setToolTip(
       tr("Both cameras keep the place on the path in the middle of their pictures as you move along it"));
-  connect(camerasFollow_, &QCheckBox::clicked, &cameras, &PathCameras::setFollows);
-  const auto showFollows = [this, &options] { camerasFollow_->setChecked(options.followsPath()); };
-  connect(&options, &ViewOptions::changed, camerasFollow_, showFollows);
-  showFollows();
+  opensAlong_->setToolTip(tr("The view opens to a tube around the path, which goes along when the path changes"));
+  tubeRadius_->setToolTip(tr("Radius of the tube that the view opens to"));
+  connectCameras(parts.cameras, parts.options);
   straight_->setAccessibleName(tr("Straightened along the path"));
   across_->setAccessibleName(tr("Across the path"));
   says_->setWordWrap(true);
@@ -113,6 +116,8 @@ void ReformatPanel::layOut() {
   form->addRow(tr("Width"), width_);
   form->addRow(tr("Turned by"), angle_);
   form->addRow(camerasFollow_);
+  form->addRow(opensAlong_);
+  form->addRow(tr("Radius"), tubeRadius_);
   auto* side = new QVBoxLayout;
   side->addWidget(across_, 2);
   side->addWidget(says_, 1);
@@ -126,7 +131,30 @@ void ReformatPanel::layOut() {
   column->addLayout(pictures, 1);
 }
 
+void ReformatPanel::connectCameras(PathCameras& cameras, const ViewOptions& options) {
+  connect(camerasFollow_, &QCheckBox::clicked, &cameras, &PathCameras::setFollows);
+  const auto showFollows = [this, &options] { camerasFollow_->setChecked(options.followsPath()); };
+  connect(&options, &ViewOptions::changed, camerasFollow_, showFollows);
+  showFollows();
+}
+
+void ReformatPanel::connectOpening() {
+  connect(opensAlong_, &QCheckBox::clicked, &opening_, &PathOpening::setOpen);
+  connect(tubeRadius_, &QDoubleSpinBox::valueChanged, &opening_, &PathOpening::setRadius);
+  const auto show = [this] {
+    opensAlong_->setEnabled(mode_.hasPath());
+    tubeRadius_->setEnabled(mode_.hasPath());
+    opensAlong_->setChecked(opening_.isOpen());
+    const QSignalBlocker quiet(tubeRadius_);
+    tubeRadius_->setValue(opening_.radius());
+  };
+  connect(&mode_, &PathMode::changed, opensAlong_, show);
+  connect(&document_, &Document::focusChanged, opensAlong_, show);
+  show();
+}
+
 void ReformatPanel::connectAll() {
+  connectOpening();
   connect(&soon_, &QTimer::timeout, this, &ReformatPanel::draw);
   connect(draw_, &QPushButton::clicked, this, [this] {
     mode_.toggle();
@@ -149,7 +177,7 @@ void ReformatPanel::connectAll() {
     forgetRegion();
     show(true);
   });
-  connect(&document_, &Document::focusChanged, this, &ReformatPanel::forgetRegion);
+  connect(&document_, &Document::focusChanged, this, &ReformatPanel::followFocusChange);
   connect(&document_, &Document::labelsChanged, this, &ReformatPanel::forgetRegion);
   connect(&document_, &Document::removalsChanged, this, &ReformatPanel::forgetRegion);
   const auto step = [this](int steps) { mode_.setPlace(mode_.place() + steps * spacing()); };
@@ -176,10 +204,15 @@ void ReformatPanel::hideEvent(QHideEvent* event) {
   QWidget::hideEvent(event);
   soon_.stop();
   job_.cancel();
-  region_.reset();
+  if (!opening_.isOpen()) region_.reset();  // else the focus no longer tells it
   section_.reset();
   straight_->setPixels({});
   across_->setPixels({});
+}
+
+void ReformatPanel::followFocusChange() {
+  if (opening_.isOpen()) return say();
+  forgetRegion();
 }
 
 void ReformatPanel::forgetRegion() {
@@ -192,7 +225,7 @@ void ReformatPanel::forgetRegion() {
 
 void ReformatPanel::readRegion() {
   say();
-  if (!isVisible() || !mode_.hasPath()) return;
+  if (!isVisible() || !mode_.hasPath() || opening_.isOpen()) return;
   const Scene scene = document_.scene();
   const std::vector<std::uint16_t> values = labelsInFocus(scene);
   if (values.empty()) return show(false);
@@ -210,6 +243,10 @@ void ReformatPanel::followFocus() {
   const Scene scene = document_.scene();
   const std::vector<std::uint16_t> values = labelsInFocus(scene);
   problem_.clear();
+  if (opening_.isOpen()) {
+    problem_ = tr("The tube around the path is in focus: untick Open along the path, and bring a vessel into focus.");
+    return say();
+  }
   if (values.empty()) {
     problem_ = tr("Bring a label or a region into focus first: a vessel, or another tube.");
     return say();
@@ -247,7 +284,9 @@ void ReformatPanel::draw() {
     section_.reset();
     return say();
   }
-  if (!region_ && !job_.isRunning() && problem_.isEmpty() && !labelsInFocus(document_.scene()).empty()) readRegion();
+  if (!region_ && !job_.isRunning() && problem_.isEmpty() && !opening_.isOpen() &&
+      !labelsInFocus(document_.scene()).empty())
+    readRegion();
   if (std::exchange(isStraightOld_, false)) drawStraight();
   straight_->setLine(mode_.place() / spacing() + 0.5);
   drawAcross();

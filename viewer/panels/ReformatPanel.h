@@ -22,15 +22,22 @@ namespace fenestra::viewer {
 class Document;
 class PathCameras;
 class PathMode;
+class PathOpening;
 class ReformatPicture;
 class ViewOptions;
 
 class ReformatPanel : public QWidget {
   Q_OBJECT
  public:
+  struct Parts {
+    Document& document;
+    PathMode& mode;
+    PathCameras& cameras;
+    PathOpening& opening;
+    const ViewOptions& options;
+  };
   /// All outlive this. Nothing is computed while the panel is hidden.
-  ReformatPanel(Document& document, PathMode& mode, PathCameras& cameras, const ViewOptions& options,
-                QWidget* parent = nullptr);
+  explicit ReformatPanel(const Parts& parts, QWidget* parent = nullptr);
 
   ReformatPicture& straight() const { return *straight_; }
   ReformatPicture& across() const { return *across_; }
@@ -40,6 +47,8 @@ class ReformatPanel : public QWidget {
   /// Finds the centre line of the structure in focus in the background, and makes it the path.
   void followFocus();
   QCheckBox* camerasFollow() const { return camerasFollow_; }
+  QCheckBox* opensAlong() const { return opensAlong_; }
+  QDoubleSpinBox* tubeRadius() const { return tubeRadius_; }
   bool isBusy() const { return job_.isRunning() || soon_.isActive(); }
 
  protected:
@@ -49,7 +58,10 @@ class ReformatPanel : public QWidget {
  private:
   void layOut();
   void connectAll();
-  /// Reads the structure in focus anew, where one shows.
+  void connectCameras(PathCameras& cameras, const ViewOptions& options);
+  void connectOpening();
+  /// Reads the structure in focus anew, where one shows. The tube around the path is none: the structure before stays.
+  void followFocusChange();
   void forgetRegion();
   void readRegion();
   /// Brings the pictures up to date, from the event loop.
@@ -63,6 +75,7 @@ class ReformatPanel : public QWidget {
 
   Document& document_;
   PathMode& mode_;
+  PathOpening& opening_;
   LoadJob job_;                                          ///< reads the region, or finds its centre line
   std::shared_ptr<const reformat::VoxelRegion> region_;  ///< of the focus; null until it is read
   std::optional<reformat::Section> section_;
@@ -72,7 +85,8 @@ class ReformatPanel : public QWidget {
   QToolButton* draw_;
   QPushButton *follow_, *delete_;
   QDoubleSpinBox *width_, *angle_;
-  QCheckBox* camerasFollow_;
+  QCheckBox *camerasFollow_, *opensAlong_;
+  QDoubleSpinBox* tubeRadius_;
   ReformatPicture *straight_, *across_;
   QLabel* says_;
 };

@@ -4,6 +4,7 @@
 #include <limits>
 #include <tuple>
 
+#include <QCoreApplication>
 #include <QHeaderView>
 #include <QMenu>
 #include <QMimeData>
@@ -23,6 +24,13 @@ namespace {
 constexpr int seriesPictureSide = 64;  ///< device-independent pixels
 constexpr int seriesIdRole = Qt::UserRole;
 constexpr const char* seriesMime = "application/x-fenestra-series";
+/// Names the list that a drag began in: series of the same id may be in several windows, and in several programs.
+constexpr const char* sourceMime = "application/x-fenestra-series-list";
+
+QByteArray nameOf(const QTreeWidget& list) {
+  return QByteArray::number(QCoreApplication::applicationPid()) + ' ' +
+         QByteArray::number(static_cast<qulonglong>(reinterpret_cast<quintptr>(&list)));
+}
 
 class SeriesTree : public QTreeWidget {
  protected:
@@ -32,6 +40,7 @@ class SeriesTree : public QTreeWidget {
     if (id.isEmpty()) return nullptr;
     auto* drag = new QMimeData;
     drag->setData(QLatin1String(seriesMime), id.toUtf8());
+    drag->setData(QLatin1String(sourceMime), nameOf(*this));
     return drag;
   }
 };
@@ -100,6 +109,10 @@ void SeriesPanel::choose(const QString& series) {
 SeriesPanel::~SeriesPanel() = default;
 
 QString SeriesPanel::seriesOf(const QMimeData& data) { return QString::fromUtf8(data.data(QLatin1String(seriesMime))); }
+
+bool SeriesPanel::isSourceOf(const QMimeData& drag) const {
+  return drag.data(QLatin1String(sourceMime)) == nameOf(*list_);
+}
 
 std::vector<QTreeWidgetItem*> SeriesPanel::rows() const {
   std::vector<QTreeWidgetItem*> rows;

@@ -36,6 +36,8 @@ class SeriesPanel : public QWidget {
   std::vector<QTreeWidgetItem*> rows() const;
   /// The id of the series that a drag brings; empty for any other drag.
   static QString seriesOf(const QMimeData& data);
+  /// Whether the drag began in this panel.
+  bool isSourceOf(const QMimeData& drag) const;
 
   /// Asks to open a series, unless it is the one that is open.
   void choose(const QString& series);
