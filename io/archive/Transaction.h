@@ -14,9 +14,9 @@
 #include <dcmtk/dcmnet/assoc.h>
 #include <dcmtk/dcmnet/dimse.h>
 
-#include "io/archive/Commitment.h"
 #include "io/archive/Reception.h"
 #include "io/archive/Server.h"
+#include "io/archive/Verdict.h"
 #include "io/archive/Watch.h"
 
 namespace fenestra::io::archive {
