@@ -62,6 +62,7 @@ class Actions : public QObject {
     std::function<void()> resetLayout;
     std::function<void()> keepKeyImage;
     std::function<void()> saveResults;
+    std::function<void()> deidentify;
     CutawayPanel& cutaway;
     ArchiveDock& archive;
     Guide& guide;
