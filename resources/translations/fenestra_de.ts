@@ -4926,7 +4926,7 @@ Kosinus des Winkels zur nächsten der sechs</translation>
     </message>
     <message>
         <source>All labels, as a DICOM segmentation</source>
-        <translation type="unfinished">Alle Labels, als DICOM-Segmentierung</translation>
+        <translation>Alle Labels, als DICOM-Segmentierung</translation>
     </message>
     <message>
         <source>Their names go with the descriptions, unless these are cleaned</source>
@@ -4994,7 +4994,7 @@ Kosinus des Winkels zur nächsten der sechs</translation>
     </message>
     <message>
         <source>Choose…</source>
-        <translation type="unfinished">Wählen…</translation>
+        <translation>Wählen…</translation>
     </message>
     <message>
         <source>To a new folder in</source>
@@ -5006,19 +5006,19 @@ Kosinus des Winkels zur nächsten der sechs</translation>
     </message>
     <message>
         <source>Folder</source>
-        <translation type="unfinished">Ordner</translation>
+        <translation>Ordner</translation>
     </message>
     <message>
         <source>To the archive</source>
-        <translation type="unfinished">In das Archiv</translation>
+        <translation>In das Archiv</translation>
     </message>
     <message>
         <source>The server answers for each object</source>
-        <translation type="unfinished">Der Server antwortet zu jedem Objekt</translation>
+        <translation>Der Server antwortet zu jedem Objekt</translation>
     </message>
     <message>
         <source>Server</source>
-        <translation type="unfinished">Server</translation>
+        <translation>Server</translation>
     </message>
     <message>
         <source>Keep a map in the file</source>
@@ -5034,7 +5034,7 @@ Kosinus des Winkels zur nächsten der sechs</translation>
     </message>
     <message>
         <source>Save</source>
-        <translation type="unfinished">Speichern</translation>
+        <translation>Speichern</translation>
     </message>
     <message>
         <source>Folder of the copies</source>
@@ -6698,19 +6698,19 @@ Aus: erst die beste Ansicht, dann die beste daneben</translation>
     </message>
     <message>
         <source>Ask the archive to confirm that it keeps them</source>
-        <translation type="unfinished">Das Archiv bestätigen lassen, dass es sie aufbewahrt</translation>
+        <translation>Das Archiv bestätigen lassen, dass es sie aufbewahrt</translation>
     </message>
     <message>
         <source>DICOMweb has no such confirmation</source>
-        <translation type="unfinished">DICOMweb hat keine solche Bestätigung</translation>
+        <translation>DICOMweb hat keine solche Bestätigung</translation>
     </message>
     <message>
         <source>A storage commitment: the archive says of each object whether it is stored safely. Most connect to our address and port for that, which are open meanwhile</source>
-        <translation type="unfinished">Eine Speicherzusage (Storage Commitment): Das Archiv sagt von jedem Objekt, ob es sicher gespeichert ist. Die meisten verbinden sich dazu mit unserer Adresse und unserem Port, die währenddessen offen sind</translation>
+        <translation>Eine Speicherzusage (Storage Commitment): Das Archiv sagt von jedem Objekt, ob es sicher gespeichert ist. Die meisten verbinden sich dazu mit unserer Adresse und unserem Port, die währenddessen offen sind</translation>
     </message>
     <message>
         <source>None is confirmed to be kept: %1</source>
-        <translation type="unfinished">Von keinem ist bestätigt, dass es aufbewahrt wird: %1</translation>
+        <translation>Von keinem ist bestätigt, dass es aufbewahrt wird: %1</translation>
     </message>
 </context>
 <context>

@@ -4918,7 +4918,7 @@ Coseno del ángulo con la más próxima de las seis</translation>
     </message>
     <message>
         <source>Writing…</source>
-        <translation type="unfinished">Escribiendo…</translation>
+        <translation>Escribiendo…</translation>
     </message>
     <message>
         <source>Copies of the open series, images: %1</source>
@@ -4926,7 +4926,7 @@ Coseno del ángulo con la más próxima de las seis</translation>
     </message>
     <message>
         <source>All labels, as a DICOM segmentation</source>
-        <translation type="unfinished">Todas las etiquetas, como segmentación DICOM</translation>
+        <translation>Todas las etiquetas, como segmentación DICOM</translation>
     </message>
     <message>
         <source>Their names go with the descriptions, unless these are cleaned</source>
@@ -4994,7 +4994,7 @@ Coseno del ángulo con la más próxima de las seis</translation>
     </message>
     <message>
         <source>Choose…</source>
-        <translation type="unfinished">Elegir…</translation>
+        <translation>Elegir…</translation>
     </message>
     <message>
         <source>To a new folder in</source>
@@ -5006,19 +5006,19 @@ Coseno del ángulo con la más próxima de las seis</translation>
     </message>
     <message>
         <source>Folder</source>
-        <translation type="unfinished">Carpeta</translation>
+        <translation>Carpeta</translation>
     </message>
     <message>
         <source>To the archive</source>
-        <translation type="unfinished">Al archivo PACS</translation>
+        <translation>Al archivo PACS</translation>
     </message>
     <message>
         <source>The server answers for each object</source>
-        <translation type="unfinished">El servidor responde por cada objeto</translation>
+        <translation>El servidor responde por cada objeto</translation>
     </message>
     <message>
         <source>Server</source>
-        <translation type="unfinished">Servidor</translation>
+        <translation>Servidor</translation>
     </message>
     <message>
         <source>Keep a map in the file</source>
@@ -5034,7 +5034,7 @@ Coseno del ángulo con la más próxima de las seis</translation>
     </message>
     <message>
         <source>Save</source>
-        <translation type="unfinished">Guardar</translation>
+        <translation>Guardar</translation>
     </message>
     <message>
         <source>Folder of the copies</source>
@@ -6698,19 +6698,19 @@ Desactivado: primero la mejor vista, luego la mejor junto a ella</translation>
     </message>
     <message>
         <source>Ask the archive to confirm that it keeps them</source>
-        <translation type="unfinished">Pedir al archivo que confirme que los conserva</translation>
+        <translation>Pedir al archivo que confirme que los conserva</translation>
     </message>
     <message>
         <source>DICOMweb has no such confirmation</source>
-        <translation type="unfinished">DICOMweb no tiene tal confirmación</translation>
+        <translation>DICOMweb no tiene tal confirmación</translation>
     </message>
     <message>
         <source>A storage commitment: the archive says of each object whether it is stored safely. Most connect to our address and port for that, which are open meanwhile</source>
-        <translation type="unfinished">Un compromiso de almacenamiento (storage commitment): el archivo dice de cada objeto si está guardado con seguridad. La mayoría se conecta para ello a nuestra dirección y puerto, que mientras tanto están abiertos</translation>
+        <translation>Un compromiso de almacenamiento (storage commitment): el archivo dice de cada objeto si está guardado con seguridad. La mayoría se conecta para ello a nuestra dirección y puerto, que mientras tanto están abiertos</translation>
     </message>
     <message>
         <source>None is confirmed to be kept: %1</source>
-        <translation type="unfinished">No se confirma que se conserve ninguno: %1</translation>
+        <translation>No se confirma que se conserve ninguno: %1</translation>
     </message>
 </context>
 <context>

@@ -4918,7 +4918,7 @@ Cosinus de l&apos;angle avec la plus proche des six</translation>
     </message>
     <message>
         <source>Writing…</source>
-        <translation type="unfinished">Écriture…</translation>
+        <translation>Écriture…</translation>
     </message>
     <message>
         <source>Copies of the open series, images: %1</source>
@@ -4926,7 +4926,7 @@ Cosinus de l&apos;angle avec la plus proche des six</translation>
     </message>
     <message>
         <source>All labels, as a DICOM segmentation</source>
-        <translation type="unfinished">Toutes les étiquettes, en segmentation DICOM</translation>
+        <translation>Toutes les étiquettes, en segmentation DICOM</translation>
     </message>
     <message>
         <source>Their names go with the descriptions, unless these are cleaned</source>
@@ -4994,7 +4994,7 @@ Cosinus de l&apos;angle avec la plus proche des six</translation>
     </message>
     <message>
         <source>Choose…</source>
-        <translation type="unfinished">Choisir…</translation>
+        <translation>Choisir…</translation>
     </message>
     <message>
         <source>To a new folder in</source>
@@ -5006,19 +5006,19 @@ Cosinus de l&apos;angle avec la plus proche des six</translation>
     </message>
     <message>
         <source>Folder</source>
-        <translation type="unfinished">Dossier</translation>
+        <translation>Dossier</translation>
     </message>
     <message>
         <source>To the archive</source>
-        <translation type="unfinished">Vers l&apos;archive</translation>
+        <translation>Vers l&apos;archive</translation>
     </message>
     <message>
         <source>The server answers for each object</source>
-        <translation type="unfinished">Le serveur répond pour chaque objet</translation>
+        <translation>Le serveur répond pour chaque objet</translation>
     </message>
     <message>
         <source>Server</source>
-        <translation type="unfinished">Serveur</translation>
+        <translation>Serveur</translation>
     </message>
     <message>
         <source>Keep a map in the file</source>
@@ -5034,7 +5034,7 @@ Cosinus de l&apos;angle avec la plus proche des six</translation>
     </message>
     <message>
         <source>Save</source>
-        <translation type="unfinished">Enregistrer</translation>
+        <translation>Enregistrer</translation>
     </message>
     <message>
         <source>Folder of the copies</source>
@@ -6698,19 +6698,19 @@ Sinon&#xa0;: d&apos;abord la meilleure vue, puis la meilleure à côté</transla
     </message>
     <message>
         <source>Ask the archive to confirm that it keeps them</source>
-        <translation type="unfinished">Demander à l&apos;archive de confirmer qu&apos;elle les conserve</translation>
+        <translation>Demander à l&apos;archive de confirmer qu&apos;elle les conserve</translation>
     </message>
     <message>
         <source>DICOMweb has no such confirmation</source>
-        <translation type="unfinished">DICOMweb n&apos;a pas de telle confirmation</translation>
+        <translation>DICOMweb n&apos;a pas de telle confirmation</translation>
     </message>
     <message>
         <source>A storage commitment: the archive says of each object whether it is stored safely. Most connect to our address and port for that, which are open meanwhile</source>
-        <translation type="unfinished">Un engagement de stockage (storage commitment) : l&apos;archive dit de chaque objet s&apos;il est stocké en sûreté. La plupart se connectent pour cela à notre adresse et à notre port, ouverts pendant ce temps</translation>
+        <translation>Un engagement de stockage (storage commitment) : l&apos;archive dit de chaque objet s&apos;il est stocké en sûreté. La plupart se connectent pour cela à notre adresse et à notre port, ouverts pendant ce temps</translation>
     </message>
     <message>
         <source>None is confirmed to be kept: %1</source>
-        <translation type="unfinished">Aucun n&apos;est confirmé comme conservé : %1</translation>
+        <translation>Aucun n&apos;est confirmé comme conservé : %1</translation>
     </message>
 </context>
 <context>

@@ -4917,7 +4917,7 @@ Cosine of the angle to the nearest of the six</source>
     </message>
     <message>
         <source>Writing…</source>
-        <translation type="unfinished">正在写入…</translation>
+        <translation>正在写入…</translation>
     </message>
     <message>
         <source>Copies of the open series, images: %1</source>
@@ -4925,7 +4925,7 @@ Cosine of the angle to the nearest of the six</source>
     </message>
     <message>
         <source>All labels, as a DICOM segmentation</source>
-        <translation type="unfinished">所有标签，作为 DICOM 分割</translation>
+        <translation>所有标签，作为 DICOM 分割</translation>
     </message>
     <message>
         <source>Their names go with the descriptions, unless these are cleaned</source>
@@ -4993,7 +4993,7 @@ Cosine of the angle to the nearest of the six</source>
     </message>
     <message>
         <source>Choose…</source>
-        <translation type="unfinished">选择…</translation>
+        <translation>选择…</translation>
     </message>
     <message>
         <source>To a new folder in</source>
@@ -5005,19 +5005,19 @@ Cosine of the angle to the nearest of the six</source>
     </message>
     <message>
         <source>Folder</source>
-        <translation type="unfinished">文件夹</translation>
+        <translation>文件夹</translation>
     </message>
     <message>
         <source>To the archive</source>
-        <translation type="unfinished">到归档服务器</translation>
+        <translation>到归档服务器</translation>
     </message>
     <message>
         <source>The server answers for each object</source>
-        <translation type="unfinished">服务器对每个对象作出应答</translation>
+        <translation>服务器对每个对象作出应答</translation>
     </message>
     <message>
         <source>Server</source>
-        <translation type="unfinished">服务器</translation>
+        <translation>服务器</translation>
     </message>
     <message>
         <source>Keep a map in the file</source>
@@ -5033,7 +5033,7 @@ Cosine of the angle to the nearest of the six</source>
     </message>
     <message>
         <source>Save</source>
-        <translation type="unfinished">保存</translation>
+        <translation>保存</translation>
     </message>
     <message>
         <source>Folder of the copies</source>
@@ -6693,19 +6693,19 @@ Off: first the best view, then the best one beside it</source>
     </message>
     <message>
         <source>Ask the archive to confirm that it keeps them</source>
-        <translation type="unfinished">请求归档确认已保存</translation>
+        <translation>请求归档确认已保存</translation>
     </message>
     <message>
         <source>DICOMweb has no such confirmation</source>
-        <translation type="unfinished">DICOMweb 没有此类确认</translation>
+        <translation>DICOMweb 没有此类确认</translation>
     </message>
     <message>
         <source>A storage commitment: the archive says of each object whether it is stored safely. Most connect to our address and port for that, which are open meanwhile</source>
-        <translation type="unfinished">存储承诺（Storage Commitment）：归档会说明每个对象是否已安全存储。多数归档为此连接我们的地址和端口，期间该端口开放</translation>
+        <translation>存储承诺（Storage Commitment）：归档会说明每个对象是否已安全存储。多数归档为此连接我们的地址和端口，期间该端口开放</translation>
     </message>
     <message>
         <source>None is confirmed to be kept: %1</source>
-        <translation type="unfinished">没有对象确认已保存：%1</translation>
+        <translation>没有对象确认已保存：%1</translation>
     </message>
 </context>
 <context>
