@@ -8,6 +8,7 @@
 #include <dcmtk/dcmnet/cond.h>
 #include <dcmtk/dcmnet/dul.h>
 
+#include "io/archive/WholeObject.h"
 #include "io/base/Error.h"
 #include "io/dicom/Dataset.h"
 #include "io/dicom/DicomValues.h"
@@ -86,6 +87,13 @@ fs::path Intake::newFile() {
   return part_ / ("incoming-" + std::to_string(getpid()) + "-" + std::to_string(files_++));
 }
 
+void Intake::dropLast() {
+  const std::lock_guard lock(mutex_);
+  std::error_code ignored;
+  if (!last_.empty() && fs::remove(last_, ignored)) --received_;
+  last_.clear();
+}
+
 void Intake::take(const fs::path& file) {
   if (keep(file, "") == STATUS_Success)
     ++received_;
@@ -131,6 +139,7 @@ DIC_US Intake::keep(const fs::path& file, const std::string& object) {
     return STATUS_STORE_Error_CannotUnderstand;
   }
   DcmDataset& dataset = *read.getDataset();
+  if (!isWholeObject(dataset, file)) return STATUS_STORE_Error_CannotUnderstand;
   const std::lock_guard lock(mutex_);
   const std::string uid = textOf(dataset, DCM_SOPInstanceUID);
   if (textOf(dataset, DCM_StudyInstanceUID) != wanted_.study ||
@@ -142,6 +151,7 @@ DIC_US Intake::keep(const fs::path& file, const std::string& object) {
   const fs::path kept = part_ / (cacheName(uid) + ".dcm");
   fs::rename(file, kept, failed);
   if (!failed) {
+    last_ = kept;
     tell(uid, kept);
     return STATUS_Success;
   }
