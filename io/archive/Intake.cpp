@@ -110,11 +110,13 @@ OFCondition Intake::readInto(const fs::path& file, T_ASC_Association* associatio
   std::unique_ptr<DcmOutputFileStream> stream(made);
   isWritten = opened.good();
   if (opened.bad()) return opened;
+  bool isTaken = true;  // a full disk takes a part, which the stream does not call a failure
   const OFCondition result = eachFragment(association, context, [&](const DUL_PDV& fragment) {
     activity_.note();
-    if (stream->good()) stream->write(fragment.data, static_cast<offile_off_t>(fragment.fragmentLength));
+    const auto length = static_cast<offile_off_t>(fragment.fragmentLength);
+    isTaken = isTaken && stream->good() && stream->write(fragment.data, length) == length;
   });
-  const bool isGood = stream->good();
+  const bool isGood = isTaken && stream->good();
   const auto bytes = static_cast<std::uintmax_t>(stream->tell());
   stream.reset();  // which writes what the stream has held back, and says nothing where it cannot
   std::error_code unknown;

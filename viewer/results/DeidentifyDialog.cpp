@@ -87,7 +87,7 @@ DeidentifyDialog::DeidentifyDialog(Archives& archives, const Document& document,
   });
   for (QCheckBox* each : {dates_, uids_, descriptors_, graphics_})
     connect(each, &QCheckBox::toggled, this, &DeidentifyDialog::showPreview);
-  constexpr int width = 640, height = 760;  // device-independent pixels; the table takes what the rest leaves
+  constexpr int width = 640, height = 640;  // device-independent pixels; the table takes what the rest leaves
   resize(width, std::max(height, column->totalHeightForWidth(width)));
   showPreview();
   enable();
@@ -149,6 +149,7 @@ QPushButton* DeidentifyDialog::addPlace(QGridLayout& grid, QCheckBox* box, QLine
   edit->setAccessibleName(name);
   auto* choose = new QPushButton(tr("Choose…"));
   choose->setAccessibleName(name);
+  choose->setAutoDefault(false);
   grid.addWidget(box, line, 0);
   grid.addWidget(edit, line, 1);
   grid.addWidget(choose, line, 2);
