@@ -109,26 +109,10 @@ MainWindow::MainWindow(const Setup& setup, QWidget* parent)
   connect(panels_.folding, &DockFolding::opened, guide_, &Guide::opened);
   connect(welcome_, &WelcomePage::guideRequested, guide_, [this] { guide_->open(); });
   const Actions::Beside beside{*link_, side(), [this] { showOther(); }, [this] { quit(); }};
-  actions_ = new Actions({*this,
-                          workspace_,
-                          loader_,
-                          grower_,
-                          *files_,
-                          *exports_,
-                          *pictures_,
-                          *verification_,
-                          *sessions_,
-                          *views_,
-                          gl_,
-                          [this] { closeStudy(); },
-                          [this] { resetLayout(); },
-                          [this] { keepKeyImage(); },
-                          [this] { showResultsDialog(); },
-                          [this] { showDeidentifyDialog(); },
-                          *panels_.cutaway,
-                          *archive_,
-                          *guide_,
-                          *tour_},
+  const Actions::Dialogs dialogs{[this] { showResultsDialog(); }, [this] { showDeidentifyDialog(); }};
+  actions_ = new Actions({*this, workspace_, loader_, grower_, *files_, *exports_, *pictures_, *verification_,
+                          *sessions_, *views_, gl_, [this] { closeStudy(); }, [this] { resetLayout(); },
+                          [this] { keepKeyImage(); }, dialogs, *panels_.cutaway, *archive_, *guide_, *tour_},
                          beside);
   setStatusBar(new StatusBar(workspace_.document, workspace_.options, *views_, gl_));
   // Below the pictures: a bar above them would resize them, and each click would draw them again.

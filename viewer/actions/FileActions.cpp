@@ -66,7 +66,7 @@ void Actions::makeFileMenu() {
   menu->addSeparator();
   menu->addActions({save, saveAs});
   addExports(*menu);
-  menu->addAction(volumeAction(tr("Save res&ults…"), {}, [this] { targets_.saveResults(); }));
+  menu->addAction(volumeAction(tr("Save res&ults…"), {}, [this] { targets_.dialogs.saveResults(); }));
   menu->actions().constLast()->setObjectName(QStringLiteral("saveResults"));
   menu->actions().constLast()->setToolTip(
       tr("Measures, segmentations, pictures and key images as DICOM objects, to a folder or an archive"));
@@ -185,7 +185,7 @@ void Actions::addSending(QMenu& menu) {
   connect(send, &QAction::triggered, this, [this] { targets_.archive.showSendDialog(); });
   QAction* copies = menu.addAction(tr("De-identify…"));
   copies->setObjectName(QStringLiteral("deidentify"));
-  connect(copies, &QAction::triggered, this, [this] { targets_.deidentify(); });
+  connect(copies, &QAction::triggered, this, [this] { targets_.dialogs.deidentify(); });
   const Document& document = targets_.workspace.document;
   const auto enable = [send, copies, &document] {
     const QString problem = SendDialog::problemOf(document);
