@@ -44,6 +44,7 @@
 #include "viewer/panels/FileDialog.h"
 #include "viewer/panels/ReformatPanel.h"
 #include "viewer/panels/SeriesPanel.h"
+#include "viewer/results/DeidentifyDialog.h"
 #include "viewer/results/ResultsDialog.h"
 #include "viewer/style/FocusRing.h"
 #include "viewer/style/Style.h"
@@ -108,11 +109,11 @@ MainWindow::MainWindow(const Setup& setup, QWidget* parent)
   connect(panels_.folding, &DockFolding::opened, guide_, &Guide::opened);
   connect(welcome_, &WelcomePage::guideRequested, guide_, [this] { guide_->open(); });
   const Actions::Beside beside{*link_, side(), [this] { showOther(); }, [this] { quit(); }};
-  actions_ =
-      new Actions({*this, workspace_, loader_, grower_, *files_, *exports_, *pictures_, *verification_, *sessions_,
-                   *views_, gl_, [this] { closeStudy(); }, [this] { resetLayout(); }, [this] { keepKeyImage(); },
-                   [this] { showResultsDialog(); }, *panels_.cutaway, *archive_, *guide_, *tour_},
-                  beside);
+  const Actions::Dialogs dialogs{[this] { showResultsDialog(); }, [this] { showDeidentifyDialog(); }};
+  actions_ = new Actions({*this, workspace_, loader_, grower_, *files_, *exports_, *pictures_, *verification_,
+                          *sessions_, *views_, gl_, [this] { closeStudy(); }, [this] { resetLayout(); },
+                          [this] { keepKeyImage(); }, dialogs, *panels_.cutaway, *archive_, *guide_, *tour_},
+                         beside);
   setStatusBar(new StatusBar(workspace_.document, workspace_.options, *views_, gl_));
   // Below the pictures: a bar above them would resize them, and each click would draw them again.
   // What comes and goes in the status bar must not make the window wider.
@@ -384,6 +385,17 @@ void MainWindow::showResultsDialog() {
   results_->show();
   results_->raise();
   results_->activateWindow();
+}
+
+void MainWindow::showDeidentifyDialog() {
+  if (!deidentify_) {
+    deidentify_ = new DeidentifyDialog(archive_->archives(), workspace_.document, this);
+    deidentify_->setAttribute(Qt::WA_DeleteOnClose);
+    markAsStudyDialog(*deidentify_);
+  }
+  deidentify_->show();
+  deidentify_->raise();
+  deidentify_->activateWindow();
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {

@@ -31,6 +31,7 @@ class FileOpener;
 class Guide;
 class NoticeBar;
 class PictureExports;
+class DeidentifyDialog;
 class ResultsDialog;
 class Verification;
 class Sessions;
@@ -127,6 +128,7 @@ class MainWindow : public QMainWindow {
   /// Adds the present state of the window to the key images.
   void keepKeyImage();
   void showResultsDialog();
+  void showDeidentifyDialog();
   /// Moves crosshair and cameras to a new volume, before any view draws it.
   void followVolume();
   void studyOpened();
@@ -177,6 +179,7 @@ class MainWindow : public QMainWindow {
   Panels panels_;
   ArchiveDock* archive_;
   QPointer<ResultsDialog> results_;
+  QPointer<DeidentifyDialog> deidentify_;
   Guide* guide_;
   Actions* actions_;
   QByteArray firstState_, firstViews_;  ///< the layout that resetLayout() restores

@@ -50,6 +50,7 @@ Json optionsOf(const io::deidentify::Options& options) {
   if (options.retainUids) list.push_back("retain-uids");
   if (options.cleanDescriptors) list.push_back("clean-descriptors");
   if (options.cleanGraphics) list.push_back("clean-graphics");
+  if (options.removeFace) list.push_back("remove-face");
   return list;
 }
 
@@ -71,11 +72,18 @@ void addDeidentifyOptions(app::Command command, DeidentifyOptions& options) {
   preview.excludes(output).excludes(map);
   command.group("What to keep (PS3.15 annex E)");
   command.addFlag("--retain-dates", request.options.retainDates, "dates and times as they are");
-  command.addFlag("--retain-uids", request.options.retainUids, "UIDs as they are");
+  const app::Option uids = command.addFlag("--retain-uids", request.options.retainUids, "UIDs as they are");
   command.addFlag("--clean-descriptors", request.options.cleanDescriptors,
                   "of descriptions, the words that say nothing about a person");
   command.addFlag("--clean-graphics", request.options.cleanGraphics,
                   "the shapes of annotations; overlays and curves go, as without it");
+  command.group("What else to take out");
+  command
+      .addFlag(
+          "--remove-face", request.options.removeFace,
+          "of heads in CT and MR, all in front of a plane from the brow to the chin; look at the copies: images of "
+          "which no face can be taken are left out")
+      .excludes(uids);
   command.atLast([output, preview] {
     if (!output.isGiven() && !preview.isGiven()) throw app::MissingOption{"--output or --preview"};
   });
@@ -97,6 +105,7 @@ void deidentify(const DeidentifyOptions& options) {
              {"options", optionsOf(request.options)},
              {"objects", outcome.objects},
              {"left_out", outcome.leftOut},
+             {"faces_removed", outcome.faces},
              {"series", std::move(series)},
              {"changes", changesOf(outcome.changes)},
              {"warnings", std::move(warnings)}});

@@ -155,6 +155,7 @@ void Association::check(const OFCondition& result, const std::string& doing) {
     case Watch::End::None:
       break;
   }
+  isGarbled_ = result != DUL_NETWORKCLOSED && result != DUL_PEERABORTEDASSOCIATION && result != DUL_READTIMEOUT;
   refuse(server_, "the connection broke while " + doing, "try again; what came is kept");
 }
 

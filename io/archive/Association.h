@@ -49,6 +49,8 @@ class Association {
   DIC_US nextMessage() { return association_->nextMsgID++; }
   /// Throws what ended the conversation when `result` is bad: Cancelled, or an Error that says `doing`, "sending it".
   void check(const OFCondition& result, const std::string& doing);
+  /// Whether what came last made no sense, where a connection that was closed or aborted would have been one thing.
+  bool isGarbled() const { return isGarbled_; }
   /// The next command, whose response or request it is. Throws as check.
   T_DIMSE_Message receive(T_ASC_PresentationContextID& context, const std::string& doing);
   /// The data set that follows a command. Throws as check.
@@ -71,6 +73,7 @@ class Association {
   WatchedLayer layer_;
   T_ASC_Network* network_ = nullptr;
   T_ASC_Association* association_ = nullptr;
+  bool isGarbled_ = false;
 };
 
 /// Throws the Error of a server's answer that is a failure, such as 0xA900; `service` is what was asked, "C-FIND".

@@ -2,23 +2,16 @@
 // Whether a server keeps what it took (storage commitment push model, PS3.4 annex J). A server that accepts an object
 // may still lose it before it is safe; one that commits to it takes over its safekeeping.
 
-#include <cstdint>
 #include <map>
 #include <string>
 #include <vector>
 
 #include "io/archive/Send.h"
 #include "io/archive/Server.h"
+#include "io/archive/Verdict.h"
 #include "io/base/Reading.h"
 
 namespace fenestra::io::archive {
-
-/// What a server said of one object.
-struct Commitment {
-  enum class Verdict : std::uint8_t { Kept, NotKept, Unsaid };
-  Verdict verdict = Verdict::Unsaid;
-  std::string text;  ///< why it is not kept, as a clause
-};
 
 /// Asks the server to commit to what it accepted of `sent`, and waits for its answer, at most Limits::commitment: over
 /// our connection or, where Server::ownPort is set, one that the server opens to us. Only the server's AE title is let

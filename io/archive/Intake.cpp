@@ -8,6 +8,7 @@
 #include <dcmtk/dcmnet/cond.h>
 #include <dcmtk/dcmnet/dul.h>
 
+#include "io/archive/WholeObject.h"
 #include "io/base/Error.h"
 #include "io/dicom/Dataset.h"
 #include "io/dicom/DicomValues.h"
@@ -86,6 +87,13 @@ fs::path Intake::newFile() {
   return part_ / ("incoming-" + std::to_string(getpid()) + "-" + std::to_string(files_++));
 }
 
+void Intake::dropLast() {
+  const std::lock_guard lock(mutex_);
+  std::error_code ignored;
+  if (!last_.empty() && fs::remove(last_, ignored)) --received_;
+  last_.clear();
+}
+
 void Intake::take(const fs::path& file) {
   if (keep(file, "") == STATUS_Success)
     ++received_;
@@ -102,11 +110,13 @@ OFCondition Intake::readInto(const fs::path& file, T_ASC_Association* associatio
   std::unique_ptr<DcmOutputFileStream> stream(made);
   isWritten = opened.good();
   if (opened.bad()) return opened;
+  bool isTaken = true;  // a full disk takes a part, which the stream does not call a failure
   const OFCondition result = eachFragment(association, context, [&](const DUL_PDV& fragment) {
     activity_.note();
-    if (stream->good()) stream->write(fragment.data, static_cast<offile_off_t>(fragment.fragmentLength));
+    const auto length = static_cast<offile_off_t>(fragment.fragmentLength);
+    isTaken = isTaken && stream->good() && stream->write(fragment.data, length) == length;
   });
-  const bool isGood = stream->good();
+  const bool isGood = isTaken && stream->good();
   const auto bytes = static_cast<std::uintmax_t>(stream->tell());
   stream.reset();  // which writes what the stream has held back, and says nothing where it cannot
   std::error_code unknown;
@@ -131,6 +141,7 @@ DIC_US Intake::keep(const fs::path& file, const std::string& object) {
     return STATUS_STORE_Error_CannotUnderstand;
   }
   DcmDataset& dataset = *read.getDataset();
+  if (!isWholeObject(dataset, file)) return STATUS_STORE_Error_CannotUnderstand;
   const std::lock_guard lock(mutex_);
   const std::string uid = textOf(dataset, DCM_SOPInstanceUID);
   if (textOf(dataset, DCM_StudyInstanceUID) != wanted_.study ||
@@ -142,6 +153,7 @@ DIC_US Intake::keep(const fs::path& file, const std::string& object) {
   const fs::path kept = part_ / (cacheName(uid) + ".dcm");
   fs::rename(file, kept, failed);
   if (!failed) {
+    last_ = kept;
     tell(uid, kept);
     return STATUS_Success;
   }

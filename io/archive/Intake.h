@@ -41,6 +41,10 @@ class Intake {
   /// Takes such a file in where it is wanted, and removes it otherwise.
   void take(const std::filesystem::path& file);
 
+  /// Removes the object that came last: where what follows it on a connection makes no sense, it may be garbled as
+  /// well.
+  void dropLast();
+
   /// Objects that came since expect(), and those refused at all.
   std::size_t received() const { return received_; }
   std::size_t refused() const { return refused_; }
@@ -67,6 +71,7 @@ class Intake {
   std::size_t total_ = 0;  ///< objects of the series
   std::set<std::string> told_;
   std::filesystem::path part_;
+  std::filesystem::path last_;  ///< the object that was kept last; empty: none
   std::string failure_;
   std::atomic<std::size_t> received_ = 0, refused_ = 0, files_ = 0;
 };

@@ -46,6 +46,15 @@ std::optional<DcmTag> tagOf(const std::string& keyword) {
   return tag;
 }
 
+/// All values of an attribute in ASCII.
+std::string arrayOf(DcmItem& item, const DcmTagKey& tag) {
+  OFString value;
+  if (item.findAndGetOFStringArray(tag, value).bad()) return {};
+  std::string text(trimmed(std::string_view(value.data(), value.size())));
+  std::erase_if(text, [](char c) { return static_cast<unsigned char>(c) >= 0x80; });
+  return text;
+}
+
 /// Sets of single bytes, and GB 18030, in which names are written (PS3.3 C.12.1.1.2).
 constexpr std::array olderSets{"ISO_IR 100", "ISO_IR 101", "ISO_IR 109", "ISO_IR 110", "ISO_IR 144",
                                "ISO_IR 127", "ISO_IR 126", "ISO_IR 138", "ISO_IR 148", "ISO_IR 203",
@@ -103,7 +112,9 @@ Attributes attributesOf(DcmDataset& answer) {
     if (!next->isLeaf() || tag == DCM_SpecificCharacterSet || tag == DCM_QueryRetrieveLevel) continue;
     const std::string keyword = tag.getTagName();
     if (keyword.empty() || keyword == "Unknown Tag & Data") continue;
-    std::string value = typedTextOf(answer, tag);
+    // A converter for each UID and number would take as long as the server takes for the answer.
+    const auto* element = static_cast<const DcmElement*>(next);
+    std::string value = element->isAffectedBySpecificCharacterSet() ? typedTextOf(answer, tag) : arrayOf(answer, tag);
     if (!value.empty()) attributes[keyword] = std::move(value);
   }
   return attributes;

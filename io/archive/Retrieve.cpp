@@ -161,7 +161,12 @@ class Transfer {
     association_->check(DIMSE_sendMessageUsingMemoryData(association_->get(), context, &request, nullptr,
                                                          identifier.get(), nullptr, nullptr),
                         "asking for a series");
-    while (!isLast(receiveOne(context))) report();
+    try {
+      while (!isLast(receiveOne(context))) report();
+    } catch (const Error&) {
+      if (association_->isGarbled()) intake_.dropLast();
+      throw;
+    }
   }
 
   template <class Request>

@@ -15,6 +15,7 @@
 
 #include "io/base/AtomicFile.h"
 #include "io/deidentify/Cleaner.h"
+#include "io/deidentify/FaceRemoval.h"
 #include "io/deidentify/Findings.h"
 #include "io/deidentify/Inputs.h"
 #include "io/deidentify/OutputFolder.h"
@@ -40,9 +41,9 @@ std::pair<OFCondition, std::optional<std::uintmax_t>> writeStream(DcmFileFormat&
   return {written, static_cast<std::uintmax_t>(stream.tell())};
 }
 
-/// Writes the dataset as it was coded, with a new preamble and meta header. Throws Error.
-void writeObject(std::unique_ptr<DcmDataset> dataset, const fs::path& file, const fs::path& named) {
-  const E_TransferSyntax syntax = dataset->getOriginalXfer();
+/// Writes the dataset with a new preamble and meta header. Throws Error.
+void writeObject(std::unique_ptr<DcmDataset> dataset, E_TransferSyntax syntax, const fs::path& file,
+                 const fs::path& named) {
   DcmFileFormat object(dataset.release(), OFFalse);
   std::error_code failure;
   fs::create_directories(file.parent_path(), failure);
@@ -61,6 +62,7 @@ class Run {
 
  private:
   void treat(const fs::path& file, const fs::path& named);
+  bool removeFace(DcmDataset& dataset, const fs::path& file, const fs::path& named);
   fs::path placeOf(const std::string& series, const std::string& instance);
   void writeMap() const;
 
@@ -69,6 +71,7 @@ class Run {
   NewUids uids_;
   Findings findings_;
   std::optional<OutputFolder> output_;
+  std::optional<FaceRemoval> faces_;
   std::map<fs::path, std::size_t> used_;  ///< places in the output, and how many objects have asked for each
 };
 
@@ -77,13 +80,19 @@ Outcome Run::operator()(const Progress& progress) {
   const Inputs inputs(request_.inputs, partOf(progress, 0.0, 0.1));
   if (inputs.objects().empty())
     throw Error(request_.inputs.front(), "holds no DICOM objects", "name DICOM files, or folders that hold some");
+  if (request_.options.removeFace && request_.options.retainUids)
+    throw Error(request_.inputs.front(),
+                "cannot keep its UIDs where faces are taken out: other pixels are other objects",
+                "retain no UIDs, and keep a map of them instead");
   if (!request_.map.empty() && liesIn(request_.map, request_.output))
     throw Error(request_.map, "would be given away with the copies", "name a file outside of their folder");
   if (!request_.output.empty()) output_.emplace(request_.output, request_.inputs);
+  const double start = request_.options.removeFace ? 0.5 : 0.1;
+  if (request_.options.removeFace) faces_.emplace(inputs.objects(), partOf(progress, 0.1, start));
   std::size_t done = 0;
   for (const fs::path& file : inputs.objects()) {
     const double fraction = static_cast<double>(done++) / static_cast<double>(inputs.objects().size());
-    if (progress && !progress(0.1 + 0.9 * fraction, "de-identifying")) throw Cancelled();
+    if (progress && !progress(start + (1.0 - start) * fraction, "de-identifying")) throw Cancelled();
     treat(file, inputs.named(file));
   }
   findings_.leaveOut("not DICOM", inputs.others());
@@ -108,13 +117,32 @@ void Run::treat(const fs::path& file, const fs::path& named) {
   }
   const std::string refusal = refusalOf(loaded);
   if (!refusal.empty()) return findings_.leaveOut(refusal, {named});
-  findings_.notice(*loaded.getDataset(), named);
+  const E_TransferSyntax coding = loaded.getDataset()->getOriginalXfer();
   std::unique_ptr<DcmDataset> dataset(loaded.getAndRemoveDataset());
+  const bool losesFace = faces_ && FaceRemoval::concerns(*dataset);
+  if (losesFace && !removeFace(*dataset, file, named)) return;
+  findings_.notice(*dataset, named, request_.options.removeFace);
   Cleaner(request_.options, uids_, outcome_.changes).clean(*dataset);
+  if (losesFace) FaceRemoval::sayRemoved(*dataset);
   const std::string series = textOf(*dataset, DCM_SeriesInstanceUID), instance = textOf(*dataset, DCM_SOPInstanceUID);
-  if (output_) writeObject(std::move(dataset), placeOf(series, instance), request_.output);
+  if (output_)
+    writeObject(std::move(dataset), losesFace ? EXS_LittleEndianExplicit : coding, placeOf(series, instance),
+                request_.output);
   ++outcome_.objects;
+  outcome_.faces += losesFace ? 1 : 0;
   ++outcome_.series[series];
+}
+
+/// False: the object is left out.
+bool Run::removeFace(DcmDataset& dataset, const fs::path& file, const fs::path& named) {
+  std::string reason;
+  try {
+    reason = faces_->removeFrom(dataset, file);
+  } catch (const Error& error) {
+    reason = error.cause();
+  }
+  if (!reason.empty()) findings_.leaveOut(reason, {named});
+  return reason.empty();
 }
 
 /// UIDs that are kept come from the file: they name a path only where they are made of digits and points.

@@ -1,6 +1,6 @@
 #pragma once
 // De-identified copies of DICOM objects: their attributes by the Basic Application Level Confidentiality Profile of
-// PS3.15, their pixels as they are, to the bit.
+// PS3.15, their pixels as they are, to the bit, unless faces are taken out of them.
 
 #include <cstddef>
 #include <filesystem>
@@ -28,12 +28,14 @@ struct Outcome {
   std::size_t objects = 0;
   std::map<std::string, std::size_t> series;  ///< objects of each, by its new UID
   std::size_t leftOut = 0;                    ///< files that are not in the output
+  std::size_t faces = 0;                      ///< objects whose pixels lost a face
   std::vector<Warning> warnings;
 };
 
 /// Writes OUTPUT/SERIES/INSTANCE.dcm, named by the new UIDs. UIDs are replaced alike in all objects, so that references
 /// among them hold. All objects are written beside the folder, which appears as a whole, with the permissions of its
-/// owner alone. Throws Error where there is no object, or something cannot be written; Cancelled.
+/// owner alone. With Options::removeFace, images are left out of which no face can be taken. Throws Error where there
+/// is no object, or something cannot be written; Cancelled.
 Outcome deidentify(const Request& request, const Progress& progress = {});
 
 }  // namespace fenestra::io::deidentify

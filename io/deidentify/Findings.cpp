@@ -4,7 +4,9 @@
 #include <array>
 #include <string_view>
 
+#include "io/deidentify/FaceRemoval.h"
 #include "io/dicom/DicomValues.h"
+#include "io/dicom/LabelObject.h"
 
 namespace fenestra::io::deidentify {
 namespace {
@@ -53,7 +55,7 @@ void Findings::leaveOut(const std::string& reason, const std::vector<std::filesy
   list.insert(list.end(), files.begin(), files.end());
 }
 
-void Findings::notice(DcmItem& object, const std::filesystem::path& file) {
+void Findings::notice(DcmItem& object, const std::filesystem::path& file, bool facesGo) {
   const std::string burnedIn = codeOf(object, DCM_BurnedInAnnotation);
   if (burnedIn == "YES")
     noticed_
@@ -69,7 +71,16 @@ void Findings::notice(DcmItem& object, const std::filesystem::path& file) {
   if (privateTag(object, 0x0065, "Image Private Header", 0x50))
     noticed_["of United Imaging, where private attributes place the slices of a mosaic; the profile removes them"]
         .push_back(file);
-  if (mayShowFace(object)) noticed_["of a head, from which a face can be reconstructed; it stays"].push_back(file);
+  const bool isImage = FaceRemoval::concerns(object);
+  if (facesGo && isImage)
+    noticed_
+        ["in which all in front of a plane was blanked, from the brow to the chin; look at each, as slices and in 3-D, "
+         "before you give it away: a nodded or turned head may keep a part of its face, or lose some brain"]
+            .push_back(file);
+  if (facesGo && isLabelClass(textOf(object, DCM_SOPClassUID)))
+    noticed_["with labels or contours, whose shapes stay, a face's outline among them"].push_back(file);
+  if (!facesGo && mayShowFace(object))
+    noticed_["of a head, from which a face can be reconstructed; it stays"].push_back(file);
 }
 
 std::size_t Findings::leftOut() const {

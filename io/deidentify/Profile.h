@@ -15,6 +15,7 @@ struct Options {
   bool retainUids = false;        ///< E.3.9
   bool cleanDescriptors = false;  ///< E.3.5: descriptions keep the words that are known to be harmless
   bool cleanGraphics = false;     ///< E.3.3: annotations keep their shapes, and such words
+  bool removeFace = false;        ///< E.3.2: faces are taken out of the pixels of CT and MR; not with retainUids
 };
 
 enum class Action : std::uint8_t {

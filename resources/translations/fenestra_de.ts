@@ -3115,6 +3115,10 @@ Kosinus des Winkels zur nächsten der sechs</translation>
         <source>listing files</source>
         <translation>Dateien werden aufgelistet</translation>
     </message>
+    <message>
+        <source>looking for faces</source>
+        <translation>Gesichter werden gesucht</translation>
+    </message>
 </context>
 <context>
     <name>Slab</name>
@@ -4173,6 +4177,14 @@ Kosinus des Winkels zur nächsten der sechs</translation>
         <source>F9</source>
         <translation>F9</translation>
     </message>
+    <message>
+        <source>De-identify…</source>
+        <translation>De-identifizieren…</translation>
+    </message>
+    <message>
+        <source>Copies of the open series without what names the patient</source>
+        <translation>Kopien der offenen Serie ohne das, was den Patienten nennt</translation>
+    </message>
 </context>
 <context>
     <name>fenestra::viewer::AppearancePanel</name>
@@ -4876,6 +4888,173 @@ Kosinus des Winkels zur nächsten der sechs</translation>
     <message>
         <source>This method has no line: it cuts nothing away</source>
         <translation>Diese Methode hat keine Linie: sie schneidet nichts weg</translation>
+    </message>
+</context>
+<context>
+    <name>fenestra::viewer::DeidentifyDialog</name>
+    <message>
+        <source>removed</source>
+        <translation>entfernt</translation>
+    </message>
+    <message>
+        <source>emptied</source>
+        <translation>geleert</translation>
+    </message>
+    <message>
+        <source>replaced by a dummy</source>
+        <translation>durch einen Platzhalter ersetzt</translation>
+    </message>
+    <message>
+        <source>replaced by a new UID</source>
+        <translation>durch eine neue UID ersetzt</translation>
+    </message>
+    <message>
+        <source>cleaned</source>
+        <translation>bereinigt</translation>
+    </message>
+    <message>
+        <source>De-identify</source>
+        <translation>De-identifizieren</translation>
+    </message>
+    <message>
+        <source>Writing…</source>
+        <translation>Wird geschrieben…</translation>
+    </message>
+    <message>
+        <source>Copies of the open series, images: %1</source>
+        <translation>Kopien der offenen Serie, Bilder: %1</translation>
+    </message>
+    <message>
+        <source>All labels, as a DICOM segmentation</source>
+        <translation>Alle Labels, als DICOM-Segmentierung</translation>
+    </message>
+    <message>
+        <source>Their names go with the descriptions, unless these are cleaned</source>
+        <translation>Ihre Namen fallen mit den Beschreibungen weg, wenn diese nicht bereinigt werden</translation>
+    </message>
+    <message>
+        <source>Keep dates and times</source>
+        <translation>Daten und Uhrzeiten behalten</translation>
+    </message>
+    <message>
+        <source>As they are; with them a patient may be found</source>
+        <translation>Wie sie sind; mit ihnen lässt sich ein Patient finden</translation>
+    </message>
+    <message>
+        <source>Keep UIDs</source>
+        <translation>UIDs behalten</translation>
+    </message>
+    <message>
+        <source>As they are; whoever has the originals can tell which is which</source>
+        <translation>Wie sie sind; wer die Originale hat, kann sie zuordnen</translation>
+    </message>
+    <message>
+        <source>Clean descriptions</source>
+        <translation>Beschreibungen bereinigen</translation>
+    </message>
+    <message>
+        <source>Of descriptions, the words stay that say nothing about a person; otherwise they go</source>
+        <translation>Von Beschreibungen bleiben die Wörter, die nichts über eine Person sagen; sonst fallen sie weg</translation>
+    </message>
+    <message>
+        <source>Clean graphics</source>
+        <translation>Grafik bereinigen</translation>
+    </message>
+    <message>
+        <source>The shapes of annotations stay; overlays and curves go in any case</source>
+        <translation>Die Formen von Anmerkungen bleiben; Overlays und Kurven fallen in jedem Fall weg</translation>
+    </message>
+    <message>
+        <source>Remove the face, from a head in CT or MR</source>
+        <translation>Gesicht entfernen, aus einem Kopf in CT oder MR</translation>
+    </message>
+    <message>
+        <source>All in front of a plane from the brow to the chin is blanked. Look at the copies, as slices and in 3-D: a nodded or turned head may keep a part of its face, or lose some brain</source>
+        <translation>Alles vor einer Ebene von der Braue bis zum Kinn wird gelöscht. Sehen Sie die Kopien an, als Schichten und in 3D: Ein geneigter oder gedrehter Kopf behält vielleicht einen Teil des Gesichts oder verliert etwas Gehirn</translation>
+    </message>
+    <message>
+        <source>Look at the copies before you give them away: no program finds a name that is written into a picture, or knows whether all of a face is gone.</source>
+        <translation>Sehen Sie die Kopien an, bevor Sie sie weitergeben: Kein Programm findet einen Namen, der ins Bild geschrieben ist, oder weiß, ob ein Gesicht ganz fort ist.</translation>
+    </message>
+    <message>
+        <source>What changes</source>
+        <translation>Was sich ändert</translation>
+    </message>
+    <message>
+        <source>Attribute</source>
+        <translation>Attribut</translation>
+    </message>
+    <message>
+        <source>Becomes</source>
+        <translation>Wird</translation>
+    </message>
+    <message>
+        <source>Times</source>
+        <translation>Anzahl</translation>
+    </message>
+    <message>
+        <source>Choose…</source>
+        <translation>Wählen…</translation>
+    </message>
+    <message>
+        <source>To a new folder in</source>
+        <translation>In einen neuen Ordner in</translation>
+    </message>
+    <message>
+        <source>A folder named de-identified is made there</source>
+        <translation>Dort entsteht ein Ordner namens de-identified</translation>
+    </message>
+    <message>
+        <source>Folder</source>
+        <translation>Ordner</translation>
+    </message>
+    <message>
+        <source>To the archive</source>
+        <translation>In das Archiv</translation>
+    </message>
+    <message>
+        <source>The server answers for each object</source>
+        <translation>Der Server antwortet zu jedem Objekt</translation>
+    </message>
+    <message>
+        <source>Server</source>
+        <translation>Server</translation>
+    </message>
+    <message>
+        <source>Keep a map in the file</source>
+        <translation>Zuordnung behalten in der Datei</translation>
+    </message>
+    <message>
+        <source>Old and new UIDs and patients&apos; numbers, readable by you alone. Without it nobody can tell which was which</source>
+        <translation>Alte und neue UIDs und Patientennummern, nur für Sie lesbar. Ohne sie kann niemand sie zuordnen</translation>
+    </message>
+    <message>
+        <source>File of the map</source>
+        <translation>Datei der Zuordnung</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>Speichern</translation>
+    </message>
+    <message>
+        <source>Folder of the copies</source>
+        <translation>Ordner der Kopien</translation>
+    </message>
+    <message>
+        <source>Tables</source>
+        <translation>Tabellen</translation>
+    </message>
+    <message>
+        <source>%1 copies are in %2.</source>
+        <translation>%1 Kopien liegen in %2.</translation>
+    </message>
+    <message>
+        <source>Copy %1</source>
+        <translation>Kopie %1</translation>
+    </message>
+    <message>
+        <source>Copies without the face: %1. Look at each of them.</source>
+        <translation>Kopien ohne Gesicht: %1. Sehen Sie jede an.</translation>
     </message>
 </context>
 <context>
@@ -6547,6 +6726,22 @@ Aus: erst die beste Ansicht, dann die beste daneben</translation>
     <message>
         <source>Nothing was sent: %1</source>
         <translation>Nichts wurde gesendet: %1</translation>
+    </message>
+    <message>
+        <source>Ask the archive to confirm that it keeps them</source>
+        <translation>Das Archiv bestätigen lassen, dass es sie aufbewahrt</translation>
+    </message>
+    <message>
+        <source>DICOMweb has no such confirmation</source>
+        <translation>DICOMweb hat keine solche Bestätigung</translation>
+    </message>
+    <message>
+        <source>A storage commitment: the archive says of each object whether it is stored safely. Most connect to our address and port for that, which are open meanwhile</source>
+        <translation>Eine Speicherzusage (Storage Commitment): Das Archiv sagt von jedem Objekt, ob es sicher gespeichert ist. Die meisten verbinden sich dazu mit unserer Adresse und unserem Port, die währenddessen offen sind</translation>
+    </message>
+    <message>
+        <source>None is confirmed to be kept: %1</source>
+        <translation>Von keinem ist bestätigt, dass es aufbewahrt wird: %1</translation>
     </message>
 </context>
 <context>

@@ -3115,6 +3115,10 @@ Coseno del ángulo con la más próxima de las seis</translation>
         <source>listing files</source>
         <translation>listando archivos</translation>
     </message>
+    <message>
+        <source>looking for faces</source>
+        <translation>buscando rostros</translation>
+    </message>
 </context>
 <context>
     <name>Slab</name>
@@ -4173,6 +4177,14 @@ Coseno del ángulo con la más próxima de las seis</translation>
         <source>F9</source>
         <translation>F9</translation>
     </message>
+    <message>
+        <source>De-identify…</source>
+        <translation>Desidentificar…</translation>
+    </message>
+    <message>
+        <source>Copies of the open series without what names the patient</source>
+        <translation>Copias de la serie abierta sin lo que nombra al paciente</translation>
+    </message>
 </context>
 <context>
     <name>fenestra::viewer::AppearancePanel</name>
@@ -4876,6 +4888,173 @@ Coseno del ángulo con la más próxima de las seis</translation>
     <message>
         <source>This method has no line: it cuts nothing away</source>
         <translation>Este método no tiene línea: no corta nada</translation>
+    </message>
+</context>
+<context>
+    <name>fenestra::viewer::DeidentifyDialog</name>
+    <message>
+        <source>removed</source>
+        <translation>eliminado</translation>
+    </message>
+    <message>
+        <source>emptied</source>
+        <translation>vaciado</translation>
+    </message>
+    <message>
+        <source>replaced by a dummy</source>
+        <translation>sustituido por un valor ficticio</translation>
+    </message>
+    <message>
+        <source>replaced by a new UID</source>
+        <translation>sustituido por un UID nuevo</translation>
+    </message>
+    <message>
+        <source>cleaned</source>
+        <translation>depurado</translation>
+    </message>
+    <message>
+        <source>De-identify</source>
+        <translation>Desidentificar</translation>
+    </message>
+    <message>
+        <source>Writing…</source>
+        <translation>Escribiendo…</translation>
+    </message>
+    <message>
+        <source>Copies of the open series, images: %1</source>
+        <translation>Copias de la serie abierta, imágenes: %1</translation>
+    </message>
+    <message>
+        <source>All labels, as a DICOM segmentation</source>
+        <translation>Todas las etiquetas, como segmentación DICOM</translation>
+    </message>
+    <message>
+        <source>Their names go with the descriptions, unless these are cleaned</source>
+        <translation>Sus nombres desaparecen con las descripciones, salvo que estas se depuren</translation>
+    </message>
+    <message>
+        <source>Keep dates and times</source>
+        <translation>Conservar fechas y horas</translation>
+    </message>
+    <message>
+        <source>As they are; with them a patient may be found</source>
+        <translation>Tal como son; con ellas se puede encontrar a un paciente</translation>
+    </message>
+    <message>
+        <source>Keep UIDs</source>
+        <translation>Conservar los UID</translation>
+    </message>
+    <message>
+        <source>As they are; whoever has the originals can tell which is which</source>
+        <translation>Tal como son; quien tenga los originales puede relacionarlos</translation>
+    </message>
+    <message>
+        <source>Clean descriptions</source>
+        <translation>Depurar descripciones</translation>
+    </message>
+    <message>
+        <source>Of descriptions, the words stay that say nothing about a person; otherwise they go</source>
+        <translation>De las descripciones quedan las palabras que no dicen nada de una persona; si no, desaparecen</translation>
+    </message>
+    <message>
+        <source>Clean graphics</source>
+        <translation>Depurar gráficos</translation>
+    </message>
+    <message>
+        <source>The shapes of annotations stay; overlays and curves go in any case</source>
+        <translation>Las formas de las anotaciones quedan; las superposiciones y curvas desaparecen siempre</translation>
+    </message>
+    <message>
+        <source>Remove the face, from a head in CT or MR</source>
+        <translation>Eliminar el rostro de una cabeza en TC o RM</translation>
+    </message>
+    <message>
+        <source>All in front of a plane from the brow to the chin is blanked. Look at the copies, as slices and in 3-D: a nodded or turned head may keep a part of its face, or lose some brain</source>
+        <translation>Se borra todo lo que está delante de un plano de la ceja al mentón. Mire las copias, como cortes y en 3D: una cabeza inclinada o girada puede conservar parte del rostro o perder algo de cerebro</translation>
+    </message>
+    <message>
+        <source>Look at the copies before you give them away: no program finds a name that is written into a picture, or knows whether all of a face is gone.</source>
+        <translation>Mire las copias antes de entregarlas: ningún programa encuentra un nombre escrito en la imagen ni sabe si un rostro ha desaparecido del todo.</translation>
+    </message>
+    <message>
+        <source>What changes</source>
+        <translation>Lo que cambia</translation>
+    </message>
+    <message>
+        <source>Attribute</source>
+        <translation>Atributo</translation>
+    </message>
+    <message>
+        <source>Becomes</source>
+        <translation>Pasa a ser</translation>
+    </message>
+    <message>
+        <source>Times</source>
+        <translation>Veces</translation>
+    </message>
+    <message>
+        <source>Choose…</source>
+        <translation>Elegir…</translation>
+    </message>
+    <message>
+        <source>To a new folder in</source>
+        <translation>A una carpeta nueva en</translation>
+    </message>
+    <message>
+        <source>A folder named de-identified is made there</source>
+        <translation>Allí se crea una carpeta llamada de-identified</translation>
+    </message>
+    <message>
+        <source>Folder</source>
+        <translation>Carpeta</translation>
+    </message>
+    <message>
+        <source>To the archive</source>
+        <translation>Al archivo PACS</translation>
+    </message>
+    <message>
+        <source>The server answers for each object</source>
+        <translation>El servidor responde por cada objeto</translation>
+    </message>
+    <message>
+        <source>Server</source>
+        <translation>Servidor</translation>
+    </message>
+    <message>
+        <source>Keep a map in the file</source>
+        <translation>Conservar una tabla en el archivo</translation>
+    </message>
+    <message>
+        <source>Old and new UIDs and patients&apos; numbers, readable by you alone. Without it nobody can tell which was which</source>
+        <translation>UID y números de paciente antiguos y nuevos, legibles solo por usted. Sin ella nadie puede relacionarlos</translation>
+    </message>
+    <message>
+        <source>File of the map</source>
+        <translation>Archivo de la tabla</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>Guardar</translation>
+    </message>
+    <message>
+        <source>Folder of the copies</source>
+        <translation>Carpeta de las copias</translation>
+    </message>
+    <message>
+        <source>Tables</source>
+        <translation>Tablas</translation>
+    </message>
+    <message>
+        <source>%1 copies are in %2.</source>
+        <translation>%1 copias están en %2.</translation>
+    </message>
+    <message>
+        <source>Copy %1</source>
+        <translation>Copia %1</translation>
+    </message>
+    <message>
+        <source>Copies without the face: %1. Look at each of them.</source>
+        <translation>Copias sin el rostro: %1. Mire cada una.</translation>
     </message>
 </context>
 <context>
@@ -6547,6 +6726,22 @@ Desactivado: primero la mejor vista, luego la mejor junto a ella</translation>
     <message>
         <source>Nothing was sent: %1</source>
         <translation>No se envió nada: %1</translation>
+    </message>
+    <message>
+        <source>Ask the archive to confirm that it keeps them</source>
+        <translation>Pedir al archivo que confirme que los conserva</translation>
+    </message>
+    <message>
+        <source>DICOMweb has no such confirmation</source>
+        <translation>DICOMweb no tiene tal confirmación</translation>
+    </message>
+    <message>
+        <source>A storage commitment: the archive says of each object whether it is stored safely. Most connect to our address and port for that, which are open meanwhile</source>
+        <translation>Un compromiso de almacenamiento (storage commitment): el archivo dice de cada objeto si está guardado con seguridad. La mayoría se conecta para ello a nuestra dirección y puerto, que mientras tanto están abiertos</translation>
+    </message>
+    <message>
+        <source>None is confirmed to be kept: %1</source>
+        <translation>No se confirma que se conserve ninguno: %1</translation>
     </message>
 </context>
 <context>

@@ -3115,6 +3115,10 @@ Cosinus de l&apos;angle avec la plus proche des six</translation>
         <source>listing files</source>
         <translation>liste des fichiers</translation>
     </message>
+    <message>
+        <source>looking for faces</source>
+        <translation>recherche des visages</translation>
+    </message>
 </context>
 <context>
     <name>Slab</name>
@@ -4173,6 +4177,14 @@ Cosinus de l&apos;angle avec la plus proche des six</translation>
         <source>F9</source>
         <translation>F9</translation>
     </message>
+    <message>
+        <source>De-identify…</source>
+        <translation>Dé-identifier…</translation>
+    </message>
+    <message>
+        <source>Copies of the open series without what names the patient</source>
+        <translation>Copies de la série ouverte sans ce qui nomme le patient</translation>
+    </message>
 </context>
 <context>
     <name>fenestra::viewer::AppearancePanel</name>
@@ -4876,6 +4888,173 @@ Cosinus de l&apos;angle avec la plus proche des six</translation>
     <message>
         <source>This method has no line: it cuts nothing away</source>
         <translation>Cette méthode n&apos;a pas de ligne&#xa0;: elle n&apos;enlève rien</translation>
+    </message>
+</context>
+<context>
+    <name>fenestra::viewer::DeidentifyDialog</name>
+    <message>
+        <source>removed</source>
+        <translation>supprimé</translation>
+    </message>
+    <message>
+        <source>emptied</source>
+        <translation>vidé</translation>
+    </message>
+    <message>
+        <source>replaced by a dummy</source>
+        <translation>remplacé par une valeur fictive</translation>
+    </message>
+    <message>
+        <source>replaced by a new UID</source>
+        <translation>remplacé par un nouvel UID</translation>
+    </message>
+    <message>
+        <source>cleaned</source>
+        <translation>nettoyé</translation>
+    </message>
+    <message>
+        <source>De-identify</source>
+        <translation>Dé-identifier</translation>
+    </message>
+    <message>
+        <source>Writing…</source>
+        <translation>Écriture…</translation>
+    </message>
+    <message>
+        <source>Copies of the open series, images: %1</source>
+        <translation>Copies de la série ouverte, images : %1</translation>
+    </message>
+    <message>
+        <source>All labels, as a DICOM segmentation</source>
+        <translation>Toutes les étiquettes, en segmentation DICOM</translation>
+    </message>
+    <message>
+        <source>Their names go with the descriptions, unless these are cleaned</source>
+        <translation>Leurs noms disparaissent avec les descriptions, sauf si celles-ci sont nettoyées</translation>
+    </message>
+    <message>
+        <source>Keep dates and times</source>
+        <translation>Garder les dates et heures</translation>
+    </message>
+    <message>
+        <source>As they are; with them a patient may be found</source>
+        <translation>Telles quelles ; elles peuvent permettre de retrouver un patient</translation>
+    </message>
+    <message>
+        <source>Keep UIDs</source>
+        <translation>Garder les UID</translation>
+    </message>
+    <message>
+        <source>As they are; whoever has the originals can tell which is which</source>
+        <translation>Tels quels ; qui possède les originaux peut faire le lien</translation>
+    </message>
+    <message>
+        <source>Clean descriptions</source>
+        <translation>Nettoyer les descriptions</translation>
+    </message>
+    <message>
+        <source>Of descriptions, the words stay that say nothing about a person; otherwise they go</source>
+        <translation>Des descriptions restent les mots qui ne disent rien d’une personne ; sinon elles disparaissent</translation>
+    </message>
+    <message>
+        <source>Clean graphics</source>
+        <translation>Nettoyer les graphiques</translation>
+    </message>
+    <message>
+        <source>The shapes of annotations stay; overlays and curves go in any case</source>
+        <translation>Les formes des annotations restent ; les surimpressions et courbes disparaissent toujours</translation>
+    </message>
+    <message>
+        <source>Remove the face, from a head in CT or MR</source>
+        <translation>Supprimer le visage d’une tête en CT ou IRM</translation>
+    </message>
+    <message>
+        <source>All in front of a plane from the brow to the chin is blanked. Look at the copies, as slices and in 3-D: a nodded or turned head may keep a part of its face, or lose some brain</source>
+        <translation>Tout ce qui est devant un plan allant du sourcil au menton est effacé. Regardez les copies, en coupes et en 3D : une tête penchée ou tournée peut garder une partie du visage ou perdre un peu de cerveau</translation>
+    </message>
+    <message>
+        <source>Look at the copies before you give them away: no program finds a name that is written into a picture, or knows whether all of a face is gone.</source>
+        <translation>Regardez les copies avant de les donner : aucun programme ne trouve un nom écrit dans l’image ni ne sait si un visage a entièrement disparu.</translation>
+    </message>
+    <message>
+        <source>What changes</source>
+        <translation>Ce qui change</translation>
+    </message>
+    <message>
+        <source>Attribute</source>
+        <translation>Attribut</translation>
+    </message>
+    <message>
+        <source>Becomes</source>
+        <translation>Devient</translation>
+    </message>
+    <message>
+        <source>Times</source>
+        <translation>Nombre</translation>
+    </message>
+    <message>
+        <source>Choose…</source>
+        <translation>Choisir…</translation>
+    </message>
+    <message>
+        <source>To a new folder in</source>
+        <translation>Dans un nouveau dossier de</translation>
+    </message>
+    <message>
+        <source>A folder named de-identified is made there</source>
+        <translation>Un dossier nommé de-identified y est créé</translation>
+    </message>
+    <message>
+        <source>Folder</source>
+        <translation>Dossier</translation>
+    </message>
+    <message>
+        <source>To the archive</source>
+        <translation>Vers l&apos;archive</translation>
+    </message>
+    <message>
+        <source>The server answers for each object</source>
+        <translation>Le serveur répond pour chaque objet</translation>
+    </message>
+    <message>
+        <source>Server</source>
+        <translation>Serveur</translation>
+    </message>
+    <message>
+        <source>Keep a map in the file</source>
+        <translation>Garder une table dans le fichier</translation>
+    </message>
+    <message>
+        <source>Old and new UIDs and patients&apos; numbers, readable by you alone. Without it nobody can tell which was which</source>
+        <translation>Anciens et nouveaux UID et numéros de patient, lisibles par vous seul. Sans elle, personne ne peut faire le lien</translation>
+    </message>
+    <message>
+        <source>File of the map</source>
+        <translation>Fichier de la table</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>Enregistrer</translation>
+    </message>
+    <message>
+        <source>Folder of the copies</source>
+        <translation>Dossier des copies</translation>
+    </message>
+    <message>
+        <source>Tables</source>
+        <translation>Tableaux</translation>
+    </message>
+    <message>
+        <source>%1 copies are in %2.</source>
+        <translation>%1 copies sont dans %2.</translation>
+    </message>
+    <message>
+        <source>Copy %1</source>
+        <translation>Copie %1</translation>
+    </message>
+    <message>
+        <source>Copies without the face: %1. Look at each of them.</source>
+        <translation>Copies sans le visage : %1. Regardez chacune.</translation>
     </message>
 </context>
 <context>
@@ -6547,6 +6726,22 @@ Sinon&#xa0;: d&apos;abord la meilleure vue, puis la meilleure à côté</transla
     <message>
         <source>Nothing was sent: %1</source>
         <translation>Rien n&apos;a été envoyé : %1</translation>
+    </message>
+    <message>
+        <source>Ask the archive to confirm that it keeps them</source>
+        <translation>Demander à l&apos;archive de confirmer qu&apos;elle les conserve</translation>
+    </message>
+    <message>
+        <source>DICOMweb has no such confirmation</source>
+        <translation>DICOMweb n&apos;a pas de telle confirmation</translation>
+    </message>
+    <message>
+        <source>A storage commitment: the archive says of each object whether it is stored safely. Most connect to our address and port for that, which are open meanwhile</source>
+        <translation>Un engagement de stockage (storage commitment) : l&apos;archive dit de chaque objet s&apos;il est stocké en sûreté. La plupart se connectent pour cela à notre adresse et à notre port, ouverts pendant ce temps</translation>
+    </message>
+    <message>
+        <source>None is confirmed to be kept: %1</source>
+        <translation>Aucun n&apos;est confirmé comme conservé : %1</translation>
     </message>
 </context>
 <context>

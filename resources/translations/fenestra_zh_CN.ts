@@ -3115,6 +3115,10 @@ Cosine of the angle to the nearest of the six</source>
         <source>listing files</source>
         <translation>正在列出文件</translation>
     </message>
+    <message>
+        <source>looking for faces</source>
+        <translation>正在查找面部</translation>
+    </message>
 </context>
 <context>
     <name>Slab</name>
@@ -4172,6 +4176,14 @@ Cosine of the angle to the nearest of the six</source>
         <source>F9</source>
         <translation>F9</translation>
     </message>
+    <message>
+        <source>De-identify…</source>
+        <translation>去标识化…</translation>
+    </message>
+    <message>
+        <source>Copies of the open series without what names the patient</source>
+        <translation>已打开序列的副本，不含可识别患者的内容</translation>
+    </message>
 </context>
 <context>
     <name>fenestra::viewer::AppearancePanel</name>
@@ -4875,6 +4887,173 @@ Cosine of the angle to the nearest of the six</source>
     <message>
         <source>This method has no line: it cuts nothing away</source>
         <translation>此方法没有线条：它不切除任何组织</translation>
+    </message>
+</context>
+<context>
+    <name>fenestra::viewer::DeidentifyDialog</name>
+    <message>
+        <source>removed</source>
+        <translation>已移除</translation>
+    </message>
+    <message>
+        <source>emptied</source>
+        <translation>已清空</translation>
+    </message>
+    <message>
+        <source>replaced by a dummy</source>
+        <translation>替换为占位值</translation>
+    </message>
+    <message>
+        <source>replaced by a new UID</source>
+        <translation>替换为新的 UID</translation>
+    </message>
+    <message>
+        <source>cleaned</source>
+        <translation>已清理</translation>
+    </message>
+    <message>
+        <source>De-identify</source>
+        <translation>去标识化</translation>
+    </message>
+    <message>
+        <source>Writing…</source>
+        <translation>正在写入…</translation>
+    </message>
+    <message>
+        <source>Copies of the open series, images: %1</source>
+        <translation>已打开序列的副本，图像数：%1</translation>
+    </message>
+    <message>
+        <source>All labels, as a DICOM segmentation</source>
+        <translation>所有标签，作为 DICOM 分割</translation>
+    </message>
+    <message>
+        <source>Their names go with the descriptions, unless these are cleaned</source>
+        <translation>除非清理描述，否则其名称随描述一并移除</translation>
+    </message>
+    <message>
+        <source>Keep dates and times</source>
+        <translation>保留日期和时间</translation>
+    </message>
+    <message>
+        <source>As they are; with them a patient may be found</source>
+        <translation>保持原样；借此可能找到患者</translation>
+    </message>
+    <message>
+        <source>Keep UIDs</source>
+        <translation>保留 UID</translation>
+    </message>
+    <message>
+        <source>As they are; whoever has the originals can tell which is which</source>
+        <translation>保持原样；持有原件者可以对应</translation>
+    </message>
+    <message>
+        <source>Clean descriptions</source>
+        <translation>清理描述</translation>
+    </message>
+    <message>
+        <source>Of descriptions, the words stay that say nothing about a person; otherwise they go</source>
+        <translation>描述中仅保留与个人无关的词；否则全部移除</translation>
+    </message>
+    <message>
+        <source>Clean graphics</source>
+        <translation>清理图形</translation>
+    </message>
+    <message>
+        <source>The shapes of annotations stay; overlays and curves go in any case</source>
+        <translation>保留标注的形状；叠加层和曲线始终移除</translation>
+    </message>
+    <message>
+        <source>Remove the face, from a head in CT or MR</source>
+        <translation>移除面部（头部 CT 或 MR）</translation>
+    </message>
+    <message>
+        <source>All in front of a plane from the brow to the chin is blanked. Look at the copies, as slices and in 3-D: a nodded or turned head may keep a part of its face, or lose some brain</source>
+        <translation>从眉部到下颏的平面之前的全部内容将被清除。请以层面和三维方式检查副本：低头或转头时可能保留部分面部，或丢失部分脑组织</translation>
+    </message>
+    <message>
+        <source>Look at the copies before you give them away: no program finds a name that is written into a picture, or knows whether all of a face is gone.</source>
+        <translation>分发前请检查副本：没有程序能找出写入图像的姓名，也无法确认面部是否已完全移除。</translation>
+    </message>
+    <message>
+        <source>What changes</source>
+        <translation>更改内容</translation>
+    </message>
+    <message>
+        <source>Attribute</source>
+        <translation>属性</translation>
+    </message>
+    <message>
+        <source>Becomes</source>
+        <translation>变为</translation>
+    </message>
+    <message>
+        <source>Times</source>
+        <translation>次数</translation>
+    </message>
+    <message>
+        <source>Choose…</source>
+        <translation>选择…</translation>
+    </message>
+    <message>
+        <source>To a new folder in</source>
+        <translation>到新文件夹，位于</translation>
+    </message>
+    <message>
+        <source>A folder named de-identified is made there</source>
+        <translation>将在其中创建名为 de-identified 的文件夹</translation>
+    </message>
+    <message>
+        <source>Folder</source>
+        <translation>文件夹</translation>
+    </message>
+    <message>
+        <source>To the archive</source>
+        <translation>到归档服务器</translation>
+    </message>
+    <message>
+        <source>The server answers for each object</source>
+        <translation>服务器对每个对象作出应答</translation>
+    </message>
+    <message>
+        <source>Server</source>
+        <translation>服务器</translation>
+    </message>
+    <message>
+        <source>Keep a map in the file</source>
+        <translation>将对照表保存到文件</translation>
+    </message>
+    <message>
+        <source>Old and new UIDs and patients&apos; numbers, readable by you alone. Without it nobody can tell which was which</source>
+        <translation>新旧 UID 和患者编号，仅您可读。没有它无人能够对应</translation>
+    </message>
+    <message>
+        <source>File of the map</source>
+        <translation>对照表文件</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>保存</translation>
+    </message>
+    <message>
+        <source>Folder of the copies</source>
+        <translation>副本文件夹</translation>
+    </message>
+    <message>
+        <source>Tables</source>
+        <translation>表格</translation>
+    </message>
+    <message>
+        <source>%1 copies are in %2.</source>
+        <translation>%1 个副本位于 %2。</translation>
+    </message>
+    <message>
+        <source>Copy %1</source>
+        <translation>副本 %1</translation>
+    </message>
+    <message>
+        <source>Copies without the face: %1. Look at each of them.</source>
+        <translation>已移除面部的副本：%1。请逐一检查。</translation>
     </message>
 </context>
 <context>
@@ -6542,6 +6721,22 @@ Off: first the best view, then the best one beside it</source>
     <message>
         <source>Nothing was sent: %1</source>
         <translation>没有发送任何内容：%1</translation>
+    </message>
+    <message>
+        <source>Ask the archive to confirm that it keeps them</source>
+        <translation>请求归档确认已保存</translation>
+    </message>
+    <message>
+        <source>DICOMweb has no such confirmation</source>
+        <translation>DICOMweb 没有此类确认</translation>
+    </message>
+    <message>
+        <source>A storage commitment: the archive says of each object whether it is stored safely. Most connect to our address and port for that, which are open meanwhile</source>
+        <translation>存储承诺（Storage Commitment）：归档会说明每个对象是否已安全存储。多数归档为此连接我们的地址和端口，期间该端口开放</translation>
+    </message>
+    <message>
+        <source>None is confirmed to be kept: %1</source>
+        <translation>没有对象确认已保存：%1</translation>
     </message>
 </context>
 <context>

@@ -319,9 +319,9 @@ TEST_F(ArchiveFaults, ADiskThatFillsUpMeanwhileIsSaidToBeFull) {
       error = errorOf([&] { archive::retrieve(server, {study_.uid, study_.series, way}, cache); });
       held = cache.held(study_.uid, study_.series).size();
       EXPECT_FALSE(fs::exists(cache.folderOf(study_.uid, study_.series))) << "half a series is no series";
-      const auto sent = objectsIn(study_.folder);
-      for (const auto& [object, bytes] : objectsIn(folder))
-        EXPECT_TRUE(bytes == sent.at(object)) << "half of " << object;
+      const auto sent = objectsIn(study_.folder), here = objectsIn(folder);
+      EXPECT_EQ(here.size(), held) << "half an object cannot be read";
+      for (const auto& [object, bytes] : here) EXPECT_TRUE(bytes == sent.at(object)) << "half of " << object;
       for (const auto& each : fs::recursive_directory_iterator(folder))
         EXPECT_EQ(each.path().filename().string().find("incoming"), std::string::npos) << each.path();
     }

@@ -252,6 +252,16 @@ void Proxy::run() {
   }
 }
 
+bool Proxy::passSlowly(int client, std::string_view bytes, std::size_t step) const {
+  while (!bytes.empty() && !stops_) {
+    const std::string_view piece = bytes.substr(0, step);
+    if (send(client, piece.data(), piece.size(), MSG_NOSIGNAL) != static_cast<ssize_t>(piece.size())) return false;
+    bytes.remove_prefix(piece.size());
+    if (fault_.slow > 0) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  }
+  return true;
+}
+
 void Proxy::pass(int client) {
   const int server = connectTo(serverPort_);
   std::array<char, 4096> bytes;
@@ -267,10 +277,16 @@ void Proxy::pass(int client) {
       if (send(server, bytes.data(), static_cast<std::size_t>(got), MSG_NOSIGNAL) != got) break;
       continue;
     }
+    if (fault_.slow > 0 || (fault_.doubles && passed >= fault_.after)) {
+      const std::size_t step = fault_.slow > 0 ? fault_.slow : static_cast<std::size_t>(got);
+      if (!passSlowly(client, {bytes.data(), static_cast<std::size_t>(got)}, step)) break;
+      if (fault_.doubles && !passSlowly(client, {bytes.data(), static_cast<std::size_t>(got)}, step)) break;
+      continue;
+    }
     const std::size_t count = std::min(static_cast<std::size_t>(got), fault_.after - passed);
     if (count > 0 && send(client, bytes.data(), count, MSG_NOSIGNAL) != static_cast<ssize_t>(count)) break;
     passed += count;
-    if (passed < fault_.after) continue;
+    if (passed < fault_.after || fault_.doubles) continue;
     if (!fault_.stalls) break;
     isStalled = true;
   }

@@ -9,6 +9,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <thread>
 #include <vector>
 
@@ -69,6 +70,8 @@ class Proxy {
   struct Fault {
     std::size_t after = 0;  ///< bytes of the server that pass
     bool stalls = false;    ///< then nothing passes; otherwise the connection is cut
+    bool doubles = false;   ///< then all passes twice, in place of a cut
+    std::size_t slow = 0;   ///< all passes, so many bytes of the server every 5 ms; 0: as it comes
   };
   Proxy(int serverPort, Fault fault);
   ~Proxy();
@@ -77,6 +80,7 @@ class Proxy {
  private:
   void run();
   void pass(int client);
+  bool passSlowly(int client, std::string_view bytes, std::size_t step) const;
 
   int serverPort_, port_ = 0, listening_ = -1;
   Fault fault_;

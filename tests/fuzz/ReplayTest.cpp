@@ -49,6 +49,19 @@ TEST(ReplayProvider, TakesTheObjectsOfItsSeeds) {
   }
 }
 
+TEST(ReplayCommitment, TakesTheReportsOfItsSeeds) {
+  const Target& target = targetNamed("commitment");
+  const fs::path folder = tests::scratchFolder();
+  std::vector<std::string> verdicts;
+  for (const std::string& seed : seedsOf(target)) {
+    tests::writeFile(folder / target.file, seed);
+    target.open(folder / target.file);
+    verdicts.push_back(tests::readFile(folder / "verdict"));
+  }
+  const std::string failed = "the server has no such object.";
+  EXPECT_EQ(verdicts, (std::vector<std::string>{".", ".", failed, failed}));
+}
+
 // Every truncation of every seed, as a fuzzer's first round would try it.
 TEST_P(Replay, TruncatedSeedsNeverCrash) {
   for (const std::string& seed : seedsOf(GetParam()))

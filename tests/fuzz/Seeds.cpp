@@ -210,12 +210,13 @@ std::string pdu(char type, const std::string& bytes) {
   return std::string{type, '\0'} + bigEndian(bytes.size(), 4) + bytes;
 }
 
-std::string associationRequest() {
+/// `roles`: an item that says who provides the class (PS3.7 D.3.3.4); may be empty.
+std::string associationRequest(const std::string& objectClass, const std::string& roles = {}) {
   const auto title = [](std::string text) { return text + std::string(16 - text.size(), ' '); };
-  const std::string context = std::string("\x01\0\0\0", 4) + associationItem(0x30, "1.2.840.10008.5.1.4.1.1.2") +
-                              associationItem(0x40, "1.2.840.10008.1.2");
+  const std::string context =
+      std::string("\x01\0\0\0", 4) + associationItem(0x30, objectClass) + associationItem(0x40, "1.2.840.10008.1.2");
   const std::string user =
-      associationItem(0x51, bigEndian(16384, 4)) + associationItem(0x52, "1.2.276.0.7230010.3.0.3.6.7");
+      associationItem(0x51, bigEndian(16384, 4)) + associationItem(0x52, "1.2.276.0.7230010.3.0.3.6.7") + roles;
   return pdu(1, bigEndian(0x10000, 4) + title("FENESTRA") + title("ARCHIVE") + std::string(32, '\0') +
                     associationItem(0x10, "1.2.840.10008.3.1.1.1") + associationItem(0x20, context) +
                     associationItem(0x50, user));
@@ -228,31 +229,60 @@ std::string implicitElement(int group, int element, std::string value) {
          littleEndian(value.size(), 4) + value;
 }
 
-/// A storage of the object that the target `provider` waits for, after the association that it belongs to, and the
-/// release; and the same in fragments of ten bytes.
-std::vector<std::string> providerSeeds() {
-  const std::string ct = "1.2.840.10008.5.1.4.1.1.2", object = "1.2.3.4.5";
-  const std::string fields = implicitElement(0, 0x0002, ct) + implicitElement(0, 0x0100, littleEndian(1, 2)) +
-                             implicitElement(0, 0x0110, littleEndian(1, 2)) +
-                             implicitElement(0, 0x0700, littleEndian(0, 2)) +
-                             implicitElement(0, 0x0800, littleEndian(0, 2)) + implicitElement(0, 0x1000, object);
+/// A message in fragments of at most `most` bytes; `kind` 1: a command, 0: data (PS3.8 E.2).
+std::string sentAs(const std::string& bytes, char kind, std::size_t most) {
+  std::string pdus;
+  for (std::size_t at = 0; at < bytes.size(); at += most) {
+    const std::string piece = bytes.substr(at, most);
+    const char control = static_cast<char>(kind | (at + most >= bytes.size() ? 2 : 0));
+    pdus += pdu(4, bigEndian(piece.size() + 2, 4) + std::string{'\1', control} + piece);
+  }
+  return pdus;
+}
+
+/// An association with a command and its data, and the release; and the same in fragments of ten bytes.
+std::vector<std::string> conversation(const std::string& request, const std::string& fields, const std::string& data) {
   const std::string command = implicitElement(0, 0, littleEndian(fields.size(), 4)) + fields;
-  const std::string data = implicitElement(8, 0x16, ct) + implicitElement(8, 0x18, object) +
-                           implicitElement(0x20, 0x0d, "1.2.3") + implicitElement(0x20, 0x0e, "1.2.3.4") +
-                           implicitElement(0x28, 0x10, littleEndian(2, 2)) + implicitElement(0x7fe0, 0x10, "pixels");
-  const auto sent = [](const std::string& bytes, char kind, std::size_t most) {
-    std::string pdus;
-    for (std::size_t at = 0; at < bytes.size(); at += most) {
-      const std::string piece = bytes.substr(at, most);
-      const char control = static_cast<char>(kind | (at + most >= bytes.size() ? 2 : 0));  // the last one (PS3.8 E.2)
-      pdus += pdu(4, bigEndian(piece.size() + 2, 4) + std::string{'\1', control} + piece);
-    }
-    return pdus;
-  };
   const std::string release = pdu(5, std::string(4, '\0'));
   std::vector<std::string> seeds;
   for (const std::size_t most : {std::size_t{4096}, std::size_t{10}})
-    seeds.push_back(associationRequest() + sent(command, 1, most) + sent(data, 0, most) + release);
+    seeds.push_back(request + sentAs(command, 1, most) + sentAs(data, 0, most) + release);
+  return seeds;
+}
+
+const std::string ctImage = "1.2.840.10008.5.1.4.1.1.2", soughtObject = "1.2.3.4.5";
+
+/// A storage of the object that the target `provider` waits for.
+std::vector<std::string> providerSeeds() {
+  const std::string fields = implicitElement(0, 0x0002, ctImage) + implicitElement(0, 0x0100, littleEndian(1, 2)) +
+                             implicitElement(0, 0x0110, littleEndian(1, 2)) +
+                             implicitElement(0, 0x0700, littleEndian(0, 2)) +
+                             implicitElement(0, 0x0800, littleEndian(0, 2)) + implicitElement(0, 0x1000, soughtObject);
+  const std::string data = implicitElement(8, 0x16, ctImage) + implicitElement(8, 0x18, soughtObject) +
+                           implicitElement(0x20, 0x0d, "1.2.3") + implicitElement(0x20, 0x0e, "1.2.3.4") +
+                           implicitElement(0x28, 0x10, littleEndian(2, 2)) + implicitElement(0x7fe0, 0x10, "pixels");
+  return conversation(associationRequest(ctImage), fields, data);
+}
+
+/// Reports that the target `commitment` waits for: its object is kept, and it is not.
+std::vector<std::string> commitmentSeeds() {
+  const std::string service = "1.2.840.10008.1.20.1", instance = "1.2.840.10008.1.20.1.1";
+  // The peer provides the service: no user's role, but the provider's.
+  const std::string roles = associationItem(0x54, bigEndian(service.size(), 2) + service + std::string("\0\1", 2));
+  std::vector<std::string> seeds;
+  for (const bool isKept : {true, false}) {
+    const std::string fields =
+        implicitElement(0, 0x0002, service) + implicitElement(0, 0x0100, littleEndian(0x0100, 2)) +
+        implicitElement(0, 0x0110, littleEndian(1, 2)) + implicitElement(0, 0x0800, littleEndian(0, 2)) +
+        implicitElement(0, 0x1000, instance) + implicitElement(0, 0x1002, littleEndian(isKept ? 1 : 2, 2));
+    const std::string item = implicitElement(8, 0x1150, ctImage) + implicitElement(8, 0x1155, soughtObject) +
+                             (isKept ? "" : implicitElement(8, 0x1197, littleEndian(0x0112, 2)));
+    const std::string items = std::string("\xfe\xff\x00\xe0", 4) + littleEndian(item.size(), 4) + item;
+    const std::string data =
+        implicitElement(8, 0x1195, "1.2.3.9") + implicitElement(8, isKept ? 0x1199 : 0x1198, items);
+    for (std::string& seed : conversation(associationRequest(service, roles), fields, data))
+      seeds.push_back(std::move(seed));
+  }
   return seeds;
 }
 
@@ -275,6 +305,7 @@ std::vector<std::string> seedsOf(const Target& target) {
   if (target.name == "web-json") return webJsonSeeds();
   if (target.name == "web-multipart") return webMultipartSeeds();
   if (target.name == "provider") return providerSeeds();
+  if (target.name == "commitment") return commitmentSeeds();
   if (target.name == "session") return {io::textOf(tests::fullSession(folder), folder / "a.fenestra")};
   if (target.name == "look") {
     io::writeLook(folder / "a.json", {"x",

@@ -19,6 +19,7 @@
 #include "io/VolumeReader.h"
 #include "io/archive/Multipart.h"
 #include "io/archive/StorageProvider.h"
+#include "io/archive/Transaction.h"
 #include "io/archive/WebAnswers.h"
 #include "io/deidentify/Deidentify.h"
 #include "io/dicom/ByteCodecs.h"
@@ -157,25 +158,9 @@ std::pair<int, int> connectedSockets() {
   return {ours, theirs};
 }
 
-/// What a peer sends to the storage provider while the object of providerSeeds() is waited for. Its objects stay below
-/// "received", so that each run starts with none.
-void receiveAssociation(const fs::path& file) {
-  namespace archive = io::archive;
+/// Serves a connection on which a peer sends the bytes of the file and no more.
+void serve(io::archive::Reception& reception, const fs::path& file) {
   const std::string bytes = tests::readFile(file);
-  const fs::path folder = file.parent_path() / "received";
-  fs::remove_all(folder);
-  archive::Server server;
-  server.title = "ARCHIVE";
-  server.limits.objectBytes = 1u << 20;
-  server.limits.freeDiskBytes = 0;
-  server.limits.introduction = server.limits.silence = std::chrono::seconds(5);
-  const archive::Cache cache(folder);
-  archive::Activity activity;
-  archive::Intake intake(cache, server.limits, activity);
-  const std::string ct = "1.2.840.10008.5.1.4.1.1.2";
-  const archive::Wanted wanted{"1.2.3", "1.2.3.4", {{"1.2.3.4.5", ct}}};
-  intake.expect(wanted, wanted);
-  archive::Reception reception(server, archive::storageService({ct}, intake));
   const auto [ours, theirs] = connectedSockets();
   // Beside the reading, because a socket holds only so much.
   std::thread peer([&bytes, socket = theirs] {
@@ -190,7 +175,47 @@ void receiveAssociation(const fs::path& file) {
   reception.serve(ours, stops);
   peer.join();
   close(theirs);
+}
+
+io::archive::Server peersServer() {
+  io::archive::Server server;
+  server.title = "ARCHIVE";
+  server.limits.objectBytes = 1u << 20;
+  server.limits.freeDiskBytes = 0;
+  server.limits.introduction = server.limits.silence = std::chrono::seconds(5);
+  return server;
+}
+
+/// What a peer sends to the storage provider while the object of providerSeeds() is waited for. Its objects stay below
+/// "received", so that each run starts with none.
+void receiveAssociation(const fs::path& file) {
+  namespace archive = io::archive;
+  const fs::path folder = file.parent_path() / "received";
+  fs::remove_all(folder);
+  const archive::Server server = peersServer();
+  const archive::Cache cache(folder);
+  archive::Activity activity;
+  archive::Intake intake(cache, server.limits, activity);
+  const std::string ct = "1.2.840.10008.5.1.4.1.1.2";
+  const archive::Wanted wanted{"1.2.3", "1.2.3.4", {{"1.2.3.4.5", ct}}};
+  intake.expect(wanted, wanted);
+  archive::Reception reception(server, archive::storageService({ct}, intake));
+  serve(reception, file);
   if (intake.received() > 1) throw std::logic_error("an object came in more than once");
+}
+
+/// What a peer sends while the report of commitmentSeeds() is waited for. The file "verdict" holds what it said: why
+/// the object is not kept, and a point; nothing where there was no report.
+void receiveReport(const fs::path& file) {
+  namespace archive = io::archive;
+  const archive::Server server = peersServer();
+  archive::Transaction transaction(server, {{"1.2.3.4.5", "1.2.840.10008.5.1.4.1.1.2"}}, "1.2.3.9");
+  archive::Reception reception(server, archive::commitmentService(transaction));
+  serve(reception, file);
+  const auto verdicts = transaction.verdicts();
+  if (verdicts.size() > 1 || (verdicts.size() == 1 && !verdicts.contains("1.2.3.4.5")))
+    throw std::logic_error("a report told of an object that was not asked for");
+  tests::writeFile(file.parent_path() / "verdict", verdicts.empty() ? "" : verdicts.begin()->second.text + ".");
 }
 
 constexpr std::array all{Target{"dicom", "input.dcm", openAsVolume},
@@ -213,7 +238,8 @@ constexpr std::array all{Target{"dicom", "input.dcm", openAsVolume},
                          Target{"transfer-function", "input.json", openTransferFunction},
                          Target{"web-json", "input.json", readWebJson},
                          Target{"web-multipart", "input.bytes", readWebMultipart},
-                         Target{"provider", "input.association", receiveAssociation}};
+                         Target{"provider", "input.association", receiveAssociation},
+                         Target{"commitment", "input.association", receiveReport}};
 
 /// In memory where the machine has such a folder: a fuzzer writes thousands of files a second.
 class PrivateFolder {

@@ -254,13 +254,15 @@ TEST_F(ResultsWindow, AnArchiveAnswersForEachObject) {
   openStudy();
   dialog();
   choose({"resultMeasures", "resultPicture"});
+  EXPECT_FALSE(box("resultCommit").isEnabled()) << "nothing goes to an archive";
   box("resultToArchive").setChecked(true);
+  box("resultCommit").setChecked(true);
   save();
-  EXPECT_EQ(status(), "Accepted: 3 of 3.");
+  EXPECT_EQ(status(), "Accepted: 3 of 3.\nConfirmed to be kept: 3 of 3.");
   auto* answers = in<QTreeWidget>(dialog(), "resultAnswers");
   ASSERT_EQ(answers->topLevelItemCount(), 3);
   EXPECT_EQ(answers->topLevelItem(0)->text(0), QStringLiteral("Measures"));
-  EXPECT_EQ(answers->topLevelItem(0)->text(1), QStringLiteral("accepted"));
+  EXPECT_EQ(answers->topLevelItem(0)->text(1), QStringLiteral("accepted, kept"));
   std::set<std::string> kinds;
   for (const auto& each :
        io::archive::find(running->server, {io::archive::Level::Series, {{"StudyInstanceUID", study_.uid}}}).records)

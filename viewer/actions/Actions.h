@@ -45,6 +45,10 @@ class Actions : public QObject {
     int side;  ///< of the link
     std::function<void()> showOther, quit;
   };
+  /// Show the dialogs of their names.
+  struct Dialogs {
+    std::function<void()> saveResults, deidentify;
+  };
   /// What the commands act on. All outlive this.
   struct Targets {
     QMainWindow& window;  ///< gets the menu bar and the toolbar; has its docks already
@@ -61,7 +65,7 @@ class Actions : public QObject {
     std::function<void()> closeStudy;
     std::function<void()> resetLayout;
     std::function<void()> keepKeyImage;
-    std::function<void()> saveResults;
+    Dialogs dialogs;
     CutawayPanel& cutaway;
     ArchiveDock& archive;
     Guide& guide;

@@ -66,7 +66,7 @@ void Actions::makeFileMenu() {
   menu->addSeparator();
   menu->addActions({save, saveAs});
   addExports(*menu);
-  menu->addAction(volumeAction(tr("Save res&ults…"), {}, [this] { targets_.saveResults(); }));
+  menu->addAction(volumeAction(tr("Save res&ults…"), {}, [this] { targets_.dialogs.saveResults(); }));
   menu->actions().constLast()->setObjectName(QStringLiteral("saveResults"));
   menu->actions().constLast()->setToolTip(
       tr("Measures, segmentations, pictures and key images as DICOM objects, to a folder or an archive"));
@@ -183,12 +183,17 @@ void Actions::addSending(QMenu& menu) {
   QAction* send = menu.addAction(tr("Send to archive…"));
   send->setObjectName(QStringLiteral("sendToArchive"));
   connect(send, &QAction::triggered, this, [this] { targets_.archive.showSendDialog(); });
+  QAction* copies = menu.addAction(tr("De-identify…"));
+  copies->setObjectName(QStringLiteral("deidentify"));
+  connect(copies, &QAction::triggered, this, [this] { targets_.dialogs.deidentify(); });
   const Document& document = targets_.workspace.document;
-  const auto enable = [send, &document] {
+  const auto enable = [send, copies, &document] {
     const QString problem = SendDialog::problemOf(document);
     send->setEnabled(problem.isEmpty());
     send->setToolTip(problem.isEmpty() ? tr("The open series and its labels, to a server of the panel Archive")
                                        : problem);
+    copies->setEnabled(problem.isEmpty());
+    copies->setToolTip(problem.isEmpty() ? tr("Copies of the open series without what names the patient") : problem);
   };
   connect(&document, &Document::volumeChanged, send, enable);
   enable();

@@ -12,30 +12,12 @@
 
 #include "io/LabelWriter.h"
 #include "io/base/Reading.h"
+#include "viewer/archive/CommitQuestion.h"
 #include "viewer/archive/Conversation.h"
 #include "viewer/model/Document.h"
 #include "viewer/model/Paths.h"
-#include "viewer/model/WayOutText.h"
 
 namespace fenestra::viewer {
-namespace {
-
-/// Fills `commitments`, or returns why there are none, as a sentence.
-QString askToCommit(const Conversation& talk, const std::vector<io::archive::Sent>& sent,
-                    SentAnswers::Commitments& commitments, const io::Progress& progress) {
-  try {
-    talk.run([&](const auto& server) {
-      if constexpr (std::is_same_v<std::decay_t<decltype(server)>, io::archive::Server>)
-        commitments = io::archive::commit(server, sent, progress);
-    });
-  } catch (const io::Error& error) {
-    return windowText(error);
-  }
-  return {};
-}
-
-}  // namespace
-
 QString SendDialog::problemOf(const Document& document) {
   if (!document.hasVolume()) return tr("Nothing is open.");
   if (document.study().format != "DICOM") return tr("What is open is not DICOM, and archives keep nothing else.");

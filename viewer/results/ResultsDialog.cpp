@@ -159,6 +159,10 @@ void ResultsDialog::addPlaces(QVBoxLayout& column) {
   grid->addWidget(path_, 0, 1);
   grid->addWidget(browse_, 0, 2);
   grid->addWidget(servers_, 2, 1, 1, 2);
+  commits_ = new QCheckBox(tr("Ask the archive to confirm that it keeps them"));
+  commits_->setObjectName(QStringLiteral("resultCommit"));
+  grid->addWidget(commits_, line, 1, 1, 2);
+  connect(servers_, &QComboBox::currentIndexChanged, this, &ResultsDialog::enable);
   grid->setColumnStretch(1, 1);
   column.addLayout(grid);
   connect(browse_, &QPushButton::clicked, this, &ResultsDialog::chooseFolder);
@@ -231,6 +235,12 @@ void ResultsDialog::enable() {
   const bool hasPlace = any({&folder_, &archive_}) && (!folder_.box->isChecked() || !path_->text().isEmpty());
   views_->setEnabled(picture_.box->isChecked());
   servers_->setEnabled(archive_.box->isChecked());
+  const ServerEntry* entry = parts_.archives.find(servers_->currentData().toString());
+  const bool isWeb = entry && entry->kind == ServerEntry::Kind::Web;
+  commits_->setEnabled(archive_.box->isChecked() && entry && !isWeb);
+  commits_->setToolTip(isWeb ? tr("DICOMweb has no such confirmation")
+                             : tr("A storage commitment: the archive says of each object whether it is stored safely. "
+                                  "Most connect to our address and port for that, which are open meanwhile"));
   save_->setEnabled(any({&measures_, &labels_, &focus_, &picture_, &keys_}) && hasPlace && !isBusy());
 }
 

@@ -83,6 +83,7 @@ class ResultsDialog : public QDialog {
   ResultsOrder waiting_;  ///< until its picture is made
   bool isTold_ = false;   ///< the last run has said how it ended
   Choice measures_{}, labels_{}, focus_{}, picture_{}, keys_{}, folder_{}, archive_{};
+  QCheckBox* commits_ = nullptr;
   QComboBox *views_ = nullptr, *servers_ = nullptr;
   QLineEdit *description_ = nullptr, *path_ = nullptr;
   QLabel* status_ = nullptr;

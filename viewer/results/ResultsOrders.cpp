@@ -12,6 +12,7 @@
 #include <QProgressBar>
 #include <QPushButton>
 
+#include "viewer/archive/CommitQuestion.h"
 #include "viewer/archive/Conversation.h"
 #include "viewer/archive/SentAnswers.h"
 #include "viewer/model/Document.h"
@@ -143,9 +144,14 @@ void ResultsDialog::save() {
     const ServerEntry* entry = parts_.archives.find(servers_->currentData().toString());
     const std::optional<AnyServer> reached = entry ? parts_.archives.reach(*entry) : std::nullopt;
     if (!reached) return;
-    wanted.send = [talk = Conversation(parts_.archives, entry->id, *reached)](const auto& files, const auto& progress) {
+    const Conversation talk(parts_.archives, entry->id, *reached);
+    wanted.send = [talk](const auto& files, const auto& progress) {
       return talk.run([&](const auto& server) { return io::archive::send(server, files, progress); });
     };
+    if (commits_->isEnabled() && commits_->isChecked())
+      wanted.commit = [talk](const auto& sent, auto& commitments, const auto& progress) {
+        return askToCommit(talk, sent, commitments, progress);
+      };
   }
   isTold_ = false;
   answers_->clear();
@@ -179,7 +185,9 @@ void ResultsDialog::tell(const ResultsOutcome& outcome) {
   }
   if (!outcome.sent.empty()) {
     lines << SentAnswers::summaryOf(outcome.sent);
-    answers_->fill(outcome.names, outcome.sent);
+    answers_->fill(outcome.names, outcome.sent, outcome.commitments);
+    if (!outcome.commitments.empty()) lines << SentAnswers::summaryOf(outcome.sent, outcome.commitments);
+    if (!outcome.commitProblem.isEmpty()) lines << tr("None is confirmed to be kept: %1").arg(outcome.commitProblem);
     answers_->setVisible(true);
   }
   if (!outcome.sendingProblem.isEmpty()) lines << tr("Nothing was sent: %1").arg(outcome.sendingProblem);

@@ -138,7 +138,9 @@ ResultsOutcome writeResults(const ResultsOrder& order, const io::Progress& progr
   ResultsOutcome outcome;
   outcome.names = staged.names;
   if (order.send) try {
-      outcome.sent = order.send(staged.files, io::partOf(progress, 0.5, 1.0));
+      outcome.sent = order.send(staged.files, io::partOf(progress, 0.5, 0.9));
+      if (order.commit)
+        outcome.commitProblem = order.commit(outcome.sent, outcome.commitments, io::partOf(progress, 0.9, 1.0));
     } catch (const io::Cancelled&) {
       throw;
     } catch (const std::exception& error) {

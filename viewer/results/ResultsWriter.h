@@ -12,6 +12,7 @@
 #include "io/archive/Send.h"
 #include "io/results/StudyResults.h"
 #include "rendering/scene/Scene.h"
+#include "viewer/archive/SentAnswers.h"
 
 namespace fenestra::viewer {
 
@@ -38,6 +39,9 @@ struct ResultsOrder {
   using Send =
       std::function<std::vector<io::archive::Sent>(const std::vector<std::filesystem::path>&, const io::Progress&)>;
   Send send = {};  ///< to the archive; empty: nowhere
+  using Commit =
+      std::function<QString(const std::vector<io::archive::Sent>&, SentAnswers::Commitments&, const io::Progress&)>;
+  Commit commit = {};  ///< asks the archive whether it keeps what was sent, as askToCommit(); empty: nobody asks
 };
 
 /// What became of it.
@@ -46,6 +50,8 @@ struct ResultsOutcome {
   std::vector<std::filesystem::path> written;  ///< files in the folder
   std::vector<io::archive::Sent> sent;         ///< as many as names, or none
   QString sendingProblem;                      ///< why none was sent
+  SentAnswers::Commitments commitments = {};   ///< what the archive said of keeping them
+  QString commitProblem = {};                  ///< why it said nothing
 };
 
 /// Writes all objects into a folder of their own first: a failure or a cancel leaves nothing. They are sent, and get
