@@ -6,6 +6,7 @@
 
 #include "rendering/segmentation/BoneTree.h"
 #include "rendering/segmentation/BoneVoxels.h"
+#include "rendering/segmentation/RandomWalk.h"
 #include "rendering/segmentation/TissueCells.h"
 #include "rendering/segmentation/TissueTree.h"
 #include "rendering/segmentation/TubeTracer.h"
@@ -28,6 +29,22 @@ constexpr double loudNoise = 2.0;      ///< differences that the eye tells apart
 constexpr double tubeHandicap = 0.4, shortHandicap = 2.0, unseenHandicap = 4.0;
 constexpr double longTube = 7.0;   ///< diameters
 constexpr double seenWall = 0.85;  ///< Tube::support
+
+// Of the clarity: a walk's region must be clearer by the first, and by the others the less of its surface is seen, and
+// the less of the body the other region is. A piece of an organ has a border on some sides alone, and what is much of
+// the body is more often a leak.
+constexpr double walkHandicap = 0.4, unseenWalkHandicap = 4.0, muchHandicap = 0.4;
+constexpr double leastWalkClarity = -0.6;    ///< with less it is no region
+constexpr double greatestWalkClarity = 0.8;  ///< of nearly all walks: beside what is clearer, none is tried
+constexpr double seenSurface = 0.85;         ///< WalkRegion::support
+constexpr double muchShare = 1.0 / 3.0;      ///< of StructurePrior::most
+// As in Curve.cpp.
+constexpr double walkSharpness = 0.7, walkCompactness = 0.9;
+
+double clarityOf(const WalkRegion& walk) {
+  return walkSharpness * std::log(walk.contrast) + walkCompactness * std::log(std::min(1.0, walk.compactness)) -
+         unseenWalkHandicap * std::max(0.0, seenSurface - walk.support);
+}
 
 double handicapOf(const Tube& tube) {
   return tubeHandicap + shortHandicap * std::max(0.0, std::log(longTube / tube.diameters())) +
@@ -140,11 +157,18 @@ bool Competition::decide(FirstRegion& region, std::span<const glm::ivec3> outsid
                 });
   const std::optional<TubeRegion> tube = clearerTube(region.seed, region, prior, clearest);
   if (tube && std::ranges::none_of(outside, [&](glm::ivec3 seed) { return holds(*tube, seed); })) {
-    region.joins = allOf(*tube);
+    region.joins = allOf(tube->box, tube->joins);
     region.curve = curveOf(region.joins, region.costs, region.noise);
     region.isBone = false;
     region.isTube = true;
     clearest = ClearestStep{tubeLevel + 1};
+  }
+  if (const std::optional<WalkRegion> walk = clearerWalk(region, prior, clearest, outside)) {
+    region.joins = allOf(walk->box, walk->joins);
+    region.curve = curveOf(region.joins, region.costs, region.noise);
+    region.isBone = region.isTube = false;
+    region.isWalk = true;
+    clearest = ClearestStep{walk->step};
   }
   if (clearest) beginWith(region.curve, clearest->step);
   return clearest.has_value();
@@ -182,17 +206,31 @@ std::optional<TubeRegion> Competition::clearerTube(glm::ivec3 seed, const FirstR
   return region;
 }
 
+std::optional<WalkRegion> Competition::clearerWalk(const FirstRegion& region, const StructurePrior& prior,
+                                                   const std::optional<ClearestStep>& other,
+                                                   std::span<const glm::ivec3> outside) const {
+  double least = leastWalkClarity;
+  if (other) {
+    const double share = region.curve.volume[static_cast<std::size_t>(other->step)] / (muchShare * prior.most);
+    least = std::max(least, other->clarity + walkHandicap - muchHandicap * std::max(0.0, std::log(share)));
+  }
+  if (least >= greatestWalkClarity) return std::nullopt;
+  std::optional<WalkRegion> walk = walkRegion(volume_, region.noise, std::span(&region.seed, 1), outside);
+  if (!walk || clarityOf(*walk) <= least) return std::nullopt;
+  return walk;
+}
+
 std::optional<Competition::Region> Competition::furtherTube(glm::ivec3 seed, const FirstRegion& first) const {
   if (!first.isTube) return std::nullopt;
   const std::optional<TubeRegion> tube = clearerTube(seed, first, priorOf(first), {});
   if (!tube) return std::nullopt;
-  return Region{allOf(*tube), tubeLevel + 1};
+  return Region{allOf(tube->box, tube->joins), tubeLevel + 1};
 }
 
-std::vector<Level> Competition::allOf(const TubeRegion& tube) const {
+std::vector<Level> Competition::allOf(const VoxelBox& box, std::span<const Level> levels) const {
   std::vector<Level> joins(volume_.grid.voxelCount(), never);
   const VoxelBox whole = wholeOf(volume_.grid.dims);
-  for (std::size_t i = 0; i < tube.joins.size(); ++i) joins[whole.offset(tube.box.at(i))] = tube.joins[i];
+  for (std::size_t i = 0; i < levels.size(); ++i) joins[whole.offset(box.at(i))] = levels[i];
   keepTo(ball_, volume_.grid, whole, joins);
   return joins;
 }

@@ -8,6 +8,7 @@
 #include "rendering/segmentation/Curve.h"
 #include "rendering/segmentation/GrowthMemory.h"
 #include "rendering/segmentation/Levels.h"
+#include "rendering/segmentation/RandomWalk.h"
 #include "rendering/segmentation/TubeTracer.h"
 #include "rendering/segmentation/VoxelBox.h"
 #include "rendering/volume/Volume.h"
@@ -61,8 +62,12 @@ class Competition {
                                         const std::optional<ClearestStep>& other) const;
   /// The noise in the units that bones are found in.
   Noise boneNoise(const Noise& noise) const;
-  /// The levels of a tube for all voxels of the volume.
-  std::vector<Level> allOf(const TubeRegion& tube) const;
+  /// What a walk from a region's seed hardly leaves, where it is clearer than `other`, the region's clearest step.
+  std::optional<WalkRegion> clearerWalk(const FirstRegion& region, const StructurePrior& prior,
+                                        const std::optional<ClearestStep>& other,
+                                        std::span<const glm::ivec3> outside) const;
+  /// The levels of a box for all voxels of the volume.
+  std::vector<Level> allOf(const VoxelBox& box, std::span<const Level> levels) const;
 
   const Volume& volume_;
   const TissueTree& tissues_;

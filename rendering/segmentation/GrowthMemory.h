@@ -24,6 +24,7 @@ struct FirstRegion {
   GrowthCurve curve;
   bool isBone = false;  ///< whether it is one of BoneTree's
   bool isTube = false;  ///< whether it is one of TubeTracer.h's
+  bool isWalk = false;  ///< whether it is one of RandomWalk.h's
 };
 
 /// A handle; copies share what it holds, some three bytes a voxel, and the volume's tissues and bones. growRegion()
