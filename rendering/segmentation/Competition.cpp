@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "rendering/segmentation/BoneRim.h"
 #include "rendering/segmentation/BoneTree.h"
 #include "rendering/segmentation/BoneVoxels.h"
 #include "rendering/segmentation/RandomWalk.h"
@@ -120,7 +121,9 @@ Noise Competition::boneNoise(const Noise& noise) const {
 
 GrowthCurve Competition::curveOf(const std::vector<Level>& joins, const FirstRegion& first) const {
   if (!first.isBone) return curveOf(joins, first.costs, first.noise);
-  return curveOf(joins, boneCosts(bones_->inUnits(volume_), boneNoise(first.noise)), first.noise);
+  std::vector<Level> costs = boneCosts(bones_->inUnits(volume_), boneNoise(first.noise));
+  for (const RimVoxel& each : first.rim) costs[each.offset] = each.cost;
+  return curveOf(joins, costs, first.noise);
 }
 
 bool Competition::decide(FirstRegion& region, std::span<const glm::ivec3> outside) const {
@@ -170,6 +173,10 @@ bool Competition::decide(FirstRegion& region, std::span<const glm::ivec3> outsid
     region.isWalk = true;
     clearest = ClearestStep{walk->step};
   }
+  if (region.isBone) {
+    region.rim = dropRim(region.joins, clearest->step, region.noise);
+    region.curve = curveOf(region.joins, region);
+  }
   if (clearest) beginWith(region.curve, clearest->step);
   return clearest.has_value();
 }
@@ -206,6 +213,12 @@ std::optional<TubeRegion> Competition::clearerTube(glm::ivec3 seed, const FirstR
   return region;
 }
 
+std::vector<RimVoxel> Competition::dropRim(std::vector<Level>& joins, int step, const Noise& noise) const {
+  std::vector<RimVoxel> rim = softRim(bones_->inUnits(volume_), boneNoise(noise), joins, step);
+  for (const RimVoxel& each : rim) joins[each.offset] = never;
+  return rim;
+}
+
 std::optional<WalkRegion> Competition::clearerWalk(const FirstRegion& region, const StructurePrior& prior,
                                                    const std::optional<ClearestStep>& other,
                                                    std::span<const glm::ivec3> outside) const {
@@ -240,6 +253,7 @@ Competition::Region Competition::further(glm::ivec3 seed, const StructurePrior& 
   Region region{tissues_.joinsOf(volume_, seed, TissueTree::From::Voxel)};
   keepTo(ball_, volume_.grid, whole, region.joins);
   auto clearest = clearestStep(curveOf(region.joins, first.costs, first.noise), prior, volume_.grid);
+  bool isBone = false;
   if (std::optional<std::vector<Level>> bone = bones_ ? bones_->joinsOf(seed) : std::nullopt) {
     keepTo(ball_, volume_.grid, whole, *bone);
     const GrowthCurve curve = curveOf(*bone, boneCosts(bones_->inUnits(volume_), boneNoise(first.noise)), first.noise);
@@ -248,9 +262,11 @@ Competition::Region Competition::further(glm::ivec3 seed, const StructurePrior& 
         (first.isBone || !clearest || other->clarity > clearest->clarity)) {
       region.joins = std::move(*bone);
       clearest = other;
+      isBone = true;
     }
   }
   if (clearest) region.step = clearest->step;
+  if (isBone) dropRim(region.joins, region.step, first.noise);
   return region;
 }
 

@@ -66,6 +66,8 @@ class Competition {
   std::optional<WalkRegion> clearerWalk(const FirstRegion& region, const StructurePrior& prior,
                                         const std::optional<ClearestStep>& other,
                                         std::span<const glm::ivec3> outside) const;
+  /// Takes from a bone what its rim holds less than half of.
+  std::vector<RimVoxel> dropRim(std::vector<Level>& joins, int step, const Noise& noise) const;
   /// The levels of a box for all voxels of the volume.
   std::vector<Level> allOf(const VoxelBox& box, std::span<const Level> levels) const;
 

@@ -1,0 +1,91 @@
+#include "rendering/segmentation/BoneRim.h"
+
+#include <algorithm>
+
+#include <gtest/gtest.h>
+
+#include "rendering/segmentation/BoneVoxels.h"
+#include "rendering/segmentation/RegionGrowing.h"
+#include "tests/support/Scenes.h"
+
+namespace fenestra::segmentation::boneRimTest {
+namespace {
+
+using tests::gridOf;
+using tests::volumeOf;
+
+constexpr double muscle = 50.0, bone = 850.0;
+const Grid grid = gridOf({40, 40, 40});
+const glm::dvec3 middle(20.0, 20.0, 20.0);
+
+/// A ball whose surface voxels hold bone and muscle by the share of each, as those of a scanner do.
+double shareOfBone(glm::ivec3 at, double radius) {
+  double held = 0.0;
+  for (int i = 0; i < 64; ++i) {
+    const glm::dvec3 part = glm::dvec3(i % 4, i / 4 % 4, i / 16) / 4.0 - 0.375;
+    held += glm::distance(glm::dvec3(at) + part, middle) <= radius ? 1.0 / 64.0 : 0.0;
+  }
+  return held;
+}
+std::shared_ptr<Volume> ballOf(double radius) {
+  const auto volume =
+      volumeOf<float>(grid, [&](glm::ivec3 at) { return muscle + (bone - muscle) * shareOfBone(at, radius); });
+  volume->unit = "HU";
+  return volume;
+}
+
+TEST(BoneRim, IsWhatHoldsLessThanHalfOfBone) {
+  constexpr double radius = 9.0;
+  const auto volume = ballOf(radius);
+  std::vector<Level> joins(grid.voxelCount(), never);
+  tests::forEachVoxel(grid.dims, [&](glm::ivec3 at) {
+    if (volume->value(at) >= boneFrom) joins[grid.offset(at)] = 0;
+  });
+  const std::vector<RimVoxel> rim = softRim(*volume, noiseOf(*volume), joins, 1);
+  const auto isSoft = [&](glm::ivec3 at) {
+    return std::ranges::any_of(rim, [&](const RimVoxel& each) { return each.offset == grid.offset(at); });
+  };
+  int soft = 0, hard = 0;
+  tests::forEachVoxel(grid.dims, [&](glm::ivec3 at) {
+    const double share = shareOfBone(at, radius);
+    if (volume->value(at) < boneFrom || (share > 0.4 && share < 0.6)) return;  // means are of blurred voxels, too
+    EXPECT_EQ(isSoft(at), share < 0.5) << share;
+    ++(share < 0.5 ? soft : hard);
+  });
+  EXPECT_GT(soft, 100);
+  EXPECT_GT(hard, 1000);
+  // What lies beyond is muscle.
+  for (const RimVoxel& each : rim) EXPECT_EQ(each.cost, levelOf((boneFrom - muscle) / noiseOf(*volume).unit));
+}
+
+TEST(BoneRim, LeavesAThinPlateWhole) {
+  const auto volume = volumeOf<float>(grid, [](glm::ivec3 at) {
+    return at.z == 20 ? 800.0 : at.z == 21 ? 200.0 : muscle;
+  });
+  volume->unit = "HU";
+  std::vector<Level> joins(grid.voxelCount(), never);
+  tests::forEachVoxel(grid.dims, [&](glm::ivec3 at) {
+    if (at.z == 20 || at.z == 21) joins[grid.offset(at)] = 0;
+  });
+  EXPECT_TRUE(softRim(*volume, noiseOf(*volume), joins, 1).empty());
+}
+
+TEST(BoneRim, IsNoPartOfABoneThatAClickOpens) {
+  constexpr double radius = 9.0;
+  const auto volume = ballOf(radius);
+  const RegionFocus click{{middle}, {}, {}, {}, RegionRule::Tissues};
+  const Growth growth = *growRegion(*volume, click, wholeOf(grid.dims));
+  const auto steps = growth.steps->voxels.as<std::uint8_t>();
+  double wanted = 0.0, found = 0.0;
+  tests::forEachVoxel(grid.dims, [&](glm::ivec3 at) {
+    wanted += shareOfBone(at, radius);
+    const int step = steps[grid.offset(at)];
+    found += step > 0 && step <= growth.curve.automatic ? 1.0 : 0.0;
+  });
+  // With the rim it would have a fifth more.
+  EXPECT_NEAR(found, wanted, 0.05 * wanted);
+  EXPECT_DOUBLE_EQ(growth.curve.volume[static_cast<std::size_t>(growth.curve.automatic)], found * grid.voxelVolume());
+}
+
+}  // namespace
+}  // namespace fenestra::segmentation::boneRimTest
