@@ -31,10 +31,11 @@ constexpr double tubeHandicap = 0.4, shortHandicap = 2.0, unseenHandicap = 4.0;
 constexpr double longTube = 7.0;   ///< diameters
 constexpr double seenWall = 0.85;  ///< Tube::support
 
-// Of the clarity: a walk's region must be clearer by the first, and by the others the less of its surface is seen, and
-// the less of the body the other region is. A piece of an organ has a border on some sides alone, and what is much of
-// the body is more often a leak.
-constexpr double walkHandicap = 0.4, unseenWalkHandicap = 4.0, muchHandicap = 0.4;
+// Of the clarity: a walk's region must be clearer than the other one by the first, and by the second for each unit of
+// the other's clarity, so that what is hardly clear gives way sooner; and by the others the less of its surface is
+// seen, and the less of the body the other region is. A piece of an organ has a border on some sides alone, and what is
+// much of the body is more often a leak.
+constexpr double walkHandicap = 0.55, clearHandicap = 0.5, unseenWalkHandicap = 4.0, muchHandicap = 0.4;
 constexpr double leastWalkClarity = -0.6;    ///< with less it is no region
 constexpr double greatestWalkClarity = 0.8;  ///< of nearly all walks: beside what is clearer, none is tried
 constexpr double seenSurface = 0.85;         ///< WalkRegion::support
@@ -128,6 +129,7 @@ GrowthCurve Competition::curveOf(const std::vector<Level>& joins, const FirstReg
 
 bool Competition::decide(FirstRegion& region, std::span<const glm::ivec3> outside) const {
   StructurePrior prior = priorOf(region);
+  region.rim.clear();
   if (!outside.empty()) prior.limit = std::min(prior.limit, sizeOf(region));
   auto clearest =
       clearestStep(region.curve, prior, volume_.grid, lastWithout(outside, region.joins, wholeOf(volume_.grid.dims)));
@@ -166,10 +168,10 @@ bool Competition::decide(FirstRegion& region, std::span<const glm::ivec3> outsid
     region.isTube = true;
     clearest = ClearestStep{tubeLevel + 1};
   }
-  if (const std::optional<WalkRegion> walk = clearerWalk(region, prior, clearest, outside)) {
+  const std::optional<WalkRegion> walk = outside.empty() ? clearerWalk(region, prior, clearest) : std::nullopt;
+  if (walk) {
     region.joins = allOf(walk->box, walk->joins);
     region.curve = curveOf(region.joins, region.costs, region.noise);
-    region.isBone = region.isTube = false;
     region.isWalk = true;
     clearest = ClearestStep{walk->step};
   }
@@ -220,17 +222,35 @@ std::vector<RimVoxel> Competition::dropRim(std::vector<Level>& joins, int step, 
 }
 
 std::optional<WalkRegion> Competition::clearerWalk(const FirstRegion& region, const StructurePrior& prior,
-                                                   const std::optional<ClearestStep>& other,
-                                                   std::span<const glm::ivec3> outside) const {
+                                                   const std::optional<ClearestStep>& other) const {
+  // A bone and a tube are parted by their shape already, and a region in a ball by the user.
+  if (region.isBone || region.isTube || ball_) return std::nullopt;
   double least = leastWalkClarity;
   if (other) {
     const double share = region.curve.volume[static_cast<std::size_t>(other->step)] / (muchShare * prior.most);
-    least = std::max(least, other->clarity + walkHandicap - muchHandicap * std::max(0.0, std::log(share)));
+    least = std::max(
+        least, (1.0 + clearHandicap) * other->clarity + walkHandicap - muchHandicap * std::max(0.0, std::log(share)));
   }
   if (least >= greatestWalkClarity) return std::nullopt;
-  std::optional<WalkRegion> walk = walkRegion(volume_, region.noise, std::span(&region.seed, 1), outside);
+  std::optional<WalkRegion> walk = walkRegion(volume_, region.noise, std::span(&region.seed, 1), {});
   if (!walk || clarityOf(*walk) <= least) return std::nullopt;
   return walk;
+}
+
+std::optional<Competition::Region> Competition::furtherWalk(std::span<const glm::ivec3> inside,
+                                                            std::span<const glm::ivec3> outside,
+                                                            const FirstRegion& first) const {
+  if (!first.isWalk) return std::nullopt;
+  WalkBounds bounds;
+  // Seeds of one kind only add, or only take away.
+  if (outside.empty()) bounds.least = sizeOf(first);
+  if (inside.size() == 1) bounds.most = sizeOf(first);
+  const std::optional<WalkRegion> walk = walkRegion(volume_, first.noise, inside, outside, bounds);
+  if (!walk || std::ranges::any_of(inside, [&](glm::ivec3 seed) {
+        return !walk->box.contains(seed) || walk->joins[walk->box.offset(seed)] == never;
+      }))
+    return std::nullopt;
+  return Region{allOf(walk->box, walk->joins), walk->step};
 }
 
 std::optional<Competition::Region> Competition::furtherTube(glm::ivec3 seed, const FirstRegion& first) const {

@@ -22,11 +22,8 @@ constexpr double stepScale = 0.5, leastStep = 0.05;
 constexpr double residualShare = 3e-3;  ///< a third of it makes no better regions
 constexpr int mostIterations = 400;
 constexpr double walkLevelsPerOctave = 16.0;  ///< of the probability
-constexpr double leastWalk = 500.0;           ///< mm³
-/// Radius of a ball as large as the largest region, ÷ the sphere's: the sphere bounds what is larger.
-constexpr double largestWalk = 0.5;
-constexpr double walkRoundness = 0.9;  ///< how much a compact shape counts against a sharp border
-constexpr float acrossFaces = 0.7f;    ///< of a difference over three faces, as that of a blurred edge
+constexpr double walkRoundness = 0.9;         ///< how much a compact shape counts against a sharp border
+constexpr float acrossFaces = 0.7f;           ///< of a difference over three faces, as that of a blurred edge
 
 /// The cells of the sphere's box.
 struct WalkCells {
@@ -237,8 +234,7 @@ WalkSums walkSums(const WalkCells& cells, const std::vector<Level>& levels, cons
 }
 
 /// The level of the clearest set; empty where none is clearer than those beside it.
-std::optional<std::size_t> clearestSet(const WalkSums& sums) {
-  const double most = 4.0 / 3.0 * std::numbers::pi * std::pow(largestWalk * sphereRadius, 3.0);
+std::optional<std::size_t> clearestSet(const WalkSums& sums, const WalkBounds& bounds) {
   const auto clarity = [&](std::size_t level) {
     return sums.area[level] > 0.0 && sums.difference[level] > 0.0
                ? std::log(sums.difference[level] / sums.area[level]) +
@@ -248,7 +244,7 @@ std::optional<std::size_t> clearestSet(const WalkSums& sums) {
   std::optional<std::size_t> clearest;
   for (std::size_t level = 1; level + 1 < levelCount; ++level) {
     const double own = clarity(level);
-    if (!std::isfinite(own) || sums.volume[level] < leastWalk || sums.volume[level] > most ||
+    if (!std::isfinite(own) || sums.volume[level] < bounds.least || sums.volume[level] > bounds.most ||
         own < clarity(level - 1) || own < clarity(level + 1))
       continue;
     if (!clearest || own > clarity(*clearest)) clearest = level;
@@ -259,13 +255,13 @@ std::optional<std::size_t> clearestSet(const WalkSums& sums) {
 }  // namespace
 
 std::optional<WalkRegion> walkRegion(const Volume& volume, const Noise& noise, std::span<const glm::ivec3> inside,
-                                     std::span<const glm::ivec3> outside) {
+                                     std::span<const glm::ivec3> outside, const WalkBounds& bounds) {
   const WalkCells cells = walkCells(volume, noise, inside.front());
   const std::vector<float> probability = WalkSolver(cells, volume.grid, inside, outside).run();
   std::vector<Level> levels(probability.size());
   std::ranges::transform(probability, levels.begin(), walkLevel);
   const WalkSums sums = walkSums(cells, levels, volume.grid);
-  const std::optional<std::size_t> clearest = clearestSet(sums);
+  const std::optional<std::size_t> clearest = clearestSet(sums, bounds);
   if (!clearest) return std::nullopt;
   WalkRegion region;
   region.box = cells.box;

@@ -30,9 +30,15 @@ struct WalkRegion {
   double support = 0.0;      ///< share of its surface across which values differ by more than the noise
 };
 
+/// mm³: other level sets are no region.
+struct WalkBounds {
+  double least = 500.0;
+  double most = 17157.0;  ///< a ball of half the sphere's radius: the sphere bounds what is larger
+};
+
 /// `inside` has one seed at least. The sphere is around the first one; other seeds count where they lie in it. Empty
 /// where no level set stands out. Takes some 40 bytes a voxel of the sphere's box. Deterministic. Runs on all cores.
 std::optional<WalkRegion> walkRegion(const Volume& volume, const Noise& noise, std::span<const glm::ivec3> inside,
-                                     std::span<const glm::ivec3> outside);
+                                     std::span<const glm::ivec3> outside, const WalkBounds& bounds = {});
 
 }  // namespace fenestra::segmentation

@@ -14,11 +14,11 @@ namespace {
 using tests::gridOf;
 using tests::volumeOf;
 
-constexpr double muscle = 50.0, bone = 850.0;
+constexpr double fat = -60.0, bone = 850.0;
 const Grid grid = gridOf({40, 40, 40});
 const glm::dvec3 middle(20.0, 20.0, 20.0);
 
-/// A ball whose surface voxels hold bone and muscle by the share of each, as those of a scanner do.
+/// A ball whose surface voxels hold bone and fat by the share of each, as those of a scanner do.
 double shareOfBone(glm::ivec3 at, double radius) {
   double held = 0.0;
   for (int i = 0; i < 64; ++i) {
@@ -29,7 +29,7 @@ double shareOfBone(glm::ivec3 at, double radius) {
 }
 std::shared_ptr<Volume> ballOf(double radius) {
   const auto volume =
-      volumeOf<float>(grid, [&](glm::ivec3 at) { return muscle + (bone - muscle) * shareOfBone(at, radius); });
+      volumeOf<float>(grid, [&](glm::ivec3 at) { return fat + (bone - fat) * shareOfBone(at, radius); });
   volume->unit = "HU";
   return volume;
 }
@@ -54,13 +54,13 @@ TEST(BoneRim, IsWhatHoldsLessThanHalfOfBone) {
   });
   EXPECT_GT(soft, 100);
   EXPECT_GT(hard, 1000);
-  // What lies beyond is muscle.
-  for (const RimVoxel& each : rim) EXPECT_EQ(each.cost, levelOf((boneFrom - muscle) / noiseOf(*volume).unit));
+  // What lies beyond is fat.
+  for (const RimVoxel& each : rim) EXPECT_EQ(each.cost, levelOf((boneFrom - fat) / noiseOf(*volume).unit));
 }
 
 TEST(BoneRim, LeavesAThinPlateWhole) {
   const auto volume = volumeOf<float>(grid, [](glm::ivec3 at) {
-    return at.z == 20 ? 800.0 : at.z == 21 ? 200.0 : muscle;
+    return at.z == 20 ? 800.0 : at.z == 21 ? 200.0 : fat;
   });
   volume->unit = "HU";
   std::vector<Level> joins(grid.voxelCount(), never);
@@ -82,7 +82,7 @@ TEST(BoneRim, IsNoPartOfABoneThatAClickOpens) {
     const int step = steps[grid.offset(at)];
     found += step > 0 && step <= growth.curve.automatic ? 1.0 : 0.0;
   });
-  // With the rim it would have a fifth more.
+  // With the rim it would have a seventh more.
   EXPECT_NEAR(found, wanted, 0.05 * wanted);
   EXPECT_DOUBLE_EQ(growth.curve.volume[static_cast<std::size_t>(growth.curve.automatic)], found * grid.voxelVolume());
 }
