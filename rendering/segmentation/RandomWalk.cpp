@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
+#include <limits>
 #include <numbers>
 #include <utility>
 
@@ -17,8 +19,8 @@ constexpr double sphereRadius = 32.0;  ///< mm
 constexpr double cellSide = 1.0;       ///< mm: finer voxels are taken together
 /// Of the noise's unit: with less noise, smaller differences are none.
 constexpr double leastNoise = 0.25;
-/// Deviations of the noise. A step is as likely as the inverse square of the difference, from the second on.
-constexpr double stepScale = 0.5, leastStep = 0.05;
+/// Deviations of the noise: a step is as likely as the inverse square of the difference, where that is more.
+constexpr double leastStep = 0.05;
 constexpr double residualShare = 3e-3;  ///< a third of it makes no better regions
 constexpr int mostIterations = 400;
 constexpr double walkLevelsPerOctave = 16.0;  ///< of the probability
@@ -89,17 +91,18 @@ class WalkSolver {
       : steps_(cells.steps()), slices_(static_cast<std::size_t>(cells.cells.dims().z)) {
     const std::size_t count = cells.cells.count();
     solution_.assign(count, 0.0f);
+    diagonal_.assign(count, 0.0f);
     perDiagonal_.assign(count, 0.0f);
     for (std::size_t axis = 0; axis < 3; ++axis) {
       const double side = grid.spacing[static_cast<int>(axis)] * cells.size[static_cast<int>(axis)];
-      const auto scale = static_cast<float>(stepScale * stepScale / (side * side));
+      const auto scale = static_cast<float>(1.0 / (side * side));
       weights_[axis].assign(count, 0.0f);
       for (std::size_t i = 0; i < count; ++i) {
         if (cells.cells.at(i)[static_cast<int>(axis)] + 1 == cells.cells.dims()[static_cast<int>(axis)]) continue;
         const float difference = cells.tones[i + steps_[axis]] - cells.tones[i];
         weights_[axis][i] = scale / (difference * difference + static_cast<float>(leastStep * leastStep));
-        perDiagonal_[i] += weights_[axis][i];
-        perDiagonal_[i + steps_[axis]] += weights_[axis][i];
+        diagonal_[i] += weights_[axis][i];
+        diagonal_[i + steps_[axis]] += weights_[axis][i];
       }
     }
     setEnds(cells, grid, inside, outside);
@@ -134,7 +137,7 @@ class WalkSolver {
   }
 
  private:
-  /// What is no end is free, and its weights' sum is inverted.
+  /// What is no end is free.
   void setEnds(const WalkCells& cells, const Grid& grid, std::span<const glm::ivec3> inside,
                std::span<const glm::ivec3> outside) {
     free_.resize(slices_);
@@ -145,17 +148,17 @@ class WalkSolver {
       const glm::ivec3 cell = cells.cells.at(i);
       if (std::ranges::any_of(inside, [&](glm::ivec3 seed) { return isAt(cell, seed); })) {
         solution_[i] = 1.0f;
-      } else if (perDiagonal_[i] > 0.0f && cells.awayOf(cell, inside.front(), grid) < sphereRadius &&
+      } else if (diagonal_[i] > 0.0f && cells.awayOf(cell, inside.front(), grid) < sphereRadius &&
                  std::ranges::none_of(outside, [&](glm::ivec3 seed) { return isAt(cell, seed); })) {
         free_[i / steps_[2]].push_back(static_cast<std::uint32_t>(i));
-        perDiagonal_[i] = 1.0f / perDiagonal_[i];
+        perDiagonal_[i] = 1.0f / diagonal_[i];
       }
     }
   }
 
   /// A free cell's row of the equations. Steps beyond the box have no weight.
   float imageAt(const std::vector<float>& of, std::size_t i) const {
-    float sum = of[i] / perDiagonal_[i];
+    float sum = diagonal_[i] * of[i];
     for (std::size_t axis = 0; axis < 3; ++axis) {
       if (i + steps_[axis] < of.size()) sum -= weights_[axis][i] * of[i + steps_[axis]];
       if (i >= steps_[axis]) sum -= weights_[axis][i - steps_[axis]] * of[i - steps_[axis]];
@@ -181,9 +184,9 @@ class WalkSolver {
 
   std::array<std::size_t, 3> steps_;
   std::size_t slices_;
-  std::array<std::vector<float>, 3> weights_;  ///< from a cell to the next one along each axis
-  std::vector<float> perDiagonal_, solution_;
-  std::vector<std::vector<std::uint32_t>> free_;  ///< by slice
+  std::array<std::vector<float>, 3> weights_;             ///< from a cell to the next one along each axis
+  std::vector<float> diagonal_, perDiagonal_, solution_;  ///< sums of weights; one by them, where free
+  std::vector<std::vector<std::uint32_t>> free_;          ///< by slice
 };
 
 Level walkLevel(float probability) {
