@@ -4,8 +4,10 @@
 #include <cmath>
 #include <utility>
 
+#include "rendering/segmentation/BoneRim.h"
 #include "rendering/segmentation/BoneTree.h"
 #include "rendering/segmentation/BoneVoxels.h"
+#include "rendering/segmentation/RandomWalk.h"
 #include "rendering/segmentation/TissueCells.h"
 #include "rendering/segmentation/TissueTree.h"
 #include "rendering/segmentation/TubeTracer.h"
@@ -28,6 +30,23 @@ constexpr double loudNoise = 2.0;      ///< differences that the eye tells apart
 constexpr double tubeHandicap = 0.4, shortHandicap = 2.0, unseenHandicap = 4.0;
 constexpr double longTube = 7.0;   ///< diameters
 constexpr double seenWall = 0.85;  ///< Tube::support
+
+// Of the clarity: a walk's region must be clearer than the other one by the first, and by the second for each unit of
+// the other's clarity, so that what is hardly clear gives way sooner; and by the others the less of its surface is
+// seen, and the less of the body the other region is. A piece of an organ has a border on some sides alone, and what is
+// much of the body is more often a leak.
+constexpr double walkHandicap = 0.55, clearHandicap = 0.5, unseenWalkHandicap = 4.0, muchHandicap = 0.4;
+constexpr double leastWalkClarity = -0.6;    ///< with less it is no region
+constexpr double greatestWalkClarity = 0.8;  ///< of nearly all walks: beside what is clearer, none is tried
+constexpr double seenSurface = 0.85;         ///< WalkRegion::support
+constexpr double muchShare = 1.0 / 3.0;      ///< of StructurePrior::most
+// As in Curve.cpp.
+constexpr double walkSharpness = 0.7, walkCompactness = 0.9;
+
+double clarityOf(const WalkRegion& walk) {
+  return walkSharpness * std::log(walk.contrast) + walkCompactness * std::log(std::min(1.0, walk.compactness)) -
+         unseenWalkHandicap * std::max(0.0, seenSurface - walk.support);
+}
 
 double handicapOf(const Tube& tube) {
   return tubeHandicap + shortHandicap * std::max(0.0, std::log(longTube / tube.diameters())) +
@@ -103,11 +122,14 @@ Noise Competition::boneNoise(const Noise& noise) const {
 
 GrowthCurve Competition::curveOf(const std::vector<Level>& joins, const FirstRegion& first) const {
   if (!first.isBone) return curveOf(joins, first.costs, first.noise);
-  return curveOf(joins, boneCosts(bones_->inUnits(volume_), boneNoise(first.noise)), first.noise);
+  std::vector<Level> costs = boneCosts(bones_->inUnits(volume_), boneNoise(first.noise));
+  for (const RimVoxel& each : first.rim) costs[each.offset] = each.cost;
+  return curveOf(joins, costs, first.noise);
 }
 
 bool Competition::decide(FirstRegion& region, std::span<const glm::ivec3> outside) const {
   StructurePrior prior = priorOf(region);
+  region.rim.clear();
   if (!outside.empty()) prior.limit = std::min(prior.limit, sizeOf(region));
   auto clearest =
       clearestStep(region.curve, prior, volume_.grid, lastWithout(outside, region.joins, wholeOf(volume_.grid.dims)));
@@ -140,11 +162,22 @@ bool Competition::decide(FirstRegion& region, std::span<const glm::ivec3> outsid
                 });
   const std::optional<TubeRegion> tube = clearerTube(region.seed, region, prior, clearest);
   if (tube && std::ranges::none_of(outside, [&](glm::ivec3 seed) { return holds(*tube, seed); })) {
-    region.joins = allOf(*tube);
+    region.joins = allOf(tube->box, tube->joins);
     region.curve = curveOf(region.joins, region.costs, region.noise);
     region.isBone = false;
     region.isTube = true;
     clearest = ClearestStep{tubeLevel + 1};
+  }
+  const std::optional<WalkRegion> walk = outside.empty() ? clearerWalk(region, prior, clearest) : std::nullopt;
+  if (walk) {
+    region.joins = allOf(walk->box, walk->joins);
+    region.curve = curveOf(region.joins, region.costs, region.noise);
+    region.isWalk = true;
+    clearest = ClearestStep{walk->step};
+  }
+  if (region.isBone) {
+    region.rim = dropRim(region.joins, clearest->step, region.noise);
+    region.curve = curveOf(region.joins, region);
   }
   if (clearest) beginWith(region.curve, clearest->step);
   return clearest.has_value();
@@ -182,17 +215,57 @@ std::optional<TubeRegion> Competition::clearerTube(glm::ivec3 seed, const FirstR
   return region;
 }
 
+std::vector<RimVoxel> Competition::dropRim(std::vector<Level>& joins, int step, const Noise& noise) const {
+  std::vector<RimVoxel> rim = softRim(bones_->inUnits(volume_), boneNoise(noise), joins, step);
+  for (const RimVoxel& each : rim) joins[each.offset] = never;
+  return rim;
+}
+
+std::optional<WalkRegion> Competition::clearerWalk(const FirstRegion& region, const StructurePrior& prior,
+                                                   const std::optional<ClearestStep>& other) const {
+  // A bone and a tube are parted by their shape already, and a region in a ball by the user. Soft tissues of CT either
+  // have a border that merging finds or none at all, and a walk takes a piece of an organ for it: of the structures of
+  // CT measured none gained, and seeds of liver and pancreas lost theirs.
+  if (region.isBone || region.isTube || ball_ || volume_.isInHounsfieldUnits()) return std::nullopt;
+  double least = leastWalkClarity;
+  if (other) {
+    const double share = region.curve.volume[static_cast<std::size_t>(other->step)] / (muchShare * prior.most);
+    least = std::max(
+        least, (1.0 + clearHandicap) * other->clarity + walkHandicap - muchHandicap * std::max(0.0, std::log(share)));
+  }
+  if (least >= greatestWalkClarity) return std::nullopt;
+  std::optional<WalkRegion> walk = walkRegion(volume_, region.noise, std::span(&region.seed, 1), {});
+  if (!walk || clarityOf(*walk) <= least) return std::nullopt;
+  return walk;
+}
+
+std::optional<Competition::Region> Competition::furtherWalk(std::span<const glm::ivec3> inside,
+                                                            std::span<const glm::ivec3> outside,
+                                                            const FirstRegion& first) const {
+  if (!first.isWalk) return std::nullopt;
+  WalkBounds bounds;
+  // Seeds of one kind only add, or only take away.
+  if (outside.empty()) bounds.least = sizeOf(first);
+  if (inside.size() == 1) bounds.most = sizeOf(first);
+  const std::optional<WalkRegion> walk = walkRegion(volume_, first.noise, inside, outside, bounds);
+  if (!walk || std::ranges::any_of(inside, [&](glm::ivec3 seed) {
+        return !walk->box.contains(seed) || walk->joins[walk->box.offset(seed)] == never;
+      }))
+    return std::nullopt;
+  return Region{allOf(walk->box, walk->joins), walk->step};
+}
+
 std::optional<Competition::Region> Competition::furtherTube(glm::ivec3 seed, const FirstRegion& first) const {
   if (!first.isTube) return std::nullopt;
   const std::optional<TubeRegion> tube = clearerTube(seed, first, priorOf(first), {});
   if (!tube) return std::nullopt;
-  return Region{allOf(*tube), tubeLevel + 1};
+  return Region{allOf(tube->box, tube->joins), tubeLevel + 1};
 }
 
-std::vector<Level> Competition::allOf(const TubeRegion& tube) const {
+std::vector<Level> Competition::allOf(const VoxelBox& box, std::span<const Level> levels) const {
   std::vector<Level> joins(volume_.grid.voxelCount(), never);
   const VoxelBox whole = wholeOf(volume_.grid.dims);
-  for (std::size_t i = 0; i < tube.joins.size(); ++i) joins[whole.offset(tube.box.at(i))] = tube.joins[i];
+  for (std::size_t i = 0; i < levels.size(); ++i) joins[whole.offset(box.at(i))] = levels[i];
   keepTo(ball_, volume_.grid, whole, joins);
   return joins;
 }
@@ -202,6 +275,7 @@ Competition::Region Competition::further(glm::ivec3 seed, const StructurePrior& 
   Region region{tissues_.joinsOf(volume_, seed, TissueTree::From::Voxel)};
   keepTo(ball_, volume_.grid, whole, region.joins);
   auto clearest = clearestStep(curveOf(region.joins, first.costs, first.noise), prior, volume_.grid);
+  bool isBone = false;
   if (std::optional<std::vector<Level>> bone = bones_ ? bones_->joinsOf(seed) : std::nullopt) {
     keepTo(ball_, volume_.grid, whole, *bone);
     const GrowthCurve curve = curveOf(*bone, boneCosts(bones_->inUnits(volume_), boneNoise(first.noise)), first.noise);
@@ -210,9 +284,11 @@ Competition::Region Competition::further(glm::ivec3 seed, const StructurePrior& 
         (first.isBone || !clearest || other->clarity > clearest->clarity)) {
       region.joins = std::move(*bone);
       clearest = other;
+      isBone = true;
     }
   }
   if (clearest) region.step = clearest->step;
+  if (isBone) dropRim(region.joins, region.step, first.noise);
   return region;
 }
 

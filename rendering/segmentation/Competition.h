@@ -1,5 +1,5 @@
 #pragma once
-// Which region a seed means: by values, by tissues, a bone or a tube, whichever is clearest (Curve.h).
+// Which region a seed means: by values, by tissues, a bone, a tube or a walk's, whichever is clearest (Curve.h).
 
 #include <optional>
 #include <span>
@@ -8,6 +8,7 @@
 #include "rendering/segmentation/Curve.h"
 #include "rendering/segmentation/GrowthMemory.h"
 #include "rendering/segmentation/Levels.h"
+#include "rendering/segmentation/RandomWalk.h"
 #include "rendering/segmentation/TubeTracer.h"
 #include "rendering/segmentation/VoxelBox.h"
 #include "rendering/volume/Volume.h"
@@ -30,8 +31,8 @@ class Competition {
               const std::optional<RegionBall>& ball)
       : volume_(volume), tissues_(tissues), bones_(bones), ball_(ball) {}
 
-  /// Replaces a region by values with the one by tissues, the bone or the tube where that is clearer, one of marrow
-  /// with its bone, and begins with the clearest step.
+  /// Replaces a region by values with the one by tissues, the bone, the tube or the walk's where that is clearer, one
+  /// of marrow with its bone, and begins with the clearest step.
   void decide(FirstRegion& region) const { decide(region, {}); }
 
   /// The clearest region of a first one's seed that holds no voxel of `outside`, and is no larger than the first one;
@@ -47,6 +48,11 @@ class Competition {
   /// The tube that holds a further seed; empty where there is none, or the first region is no tube.
   std::optional<Region> furtherTube(glm::ivec3 seed, const FirstRegion& first) const;
 
+  /// The walk's region of a first one's seed with further seeds as ends of the walk; empty where one lies too far away
+  /// for the walk, or where the first region is none.
+  std::optional<Region> furtherWalk(std::span<const glm::ivec3> inside, std::span<const glm::ivec3> outside,
+                                    const FirstRegion& first) const;
+
   StructurePrior priorOf(const FirstRegion& region) const;
   GrowthCurve curveOf(const std::vector<Level>& joins, std::span<const Level> costs, const Noise& noise) const;
   /// Of a region that `first` has become: by its own costs, and a bone's by how dense its voxels are.
@@ -61,8 +67,13 @@ class Competition {
                                         const std::optional<ClearestStep>& other) const;
   /// The noise in the units that bones are found in.
   Noise boneNoise(const Noise& noise) const;
-  /// The levels of a tube for all voxels of the volume.
-  std::vector<Level> allOf(const TubeRegion& tube) const;
+  /// What a walk from a region's seed hardly leaves, where it is clearer than `other`, the region's clearest step.
+  std::optional<WalkRegion> clearerWalk(const FirstRegion& region, const StructurePrior& prior,
+                                        const std::optional<ClearestStep>& other) const;
+  /// Takes from a bone what its rim holds less than half of.
+  std::vector<RimVoxel> dropRim(std::vector<Level>& joins, int step, const Noise& noise) const;
+  /// The levels of a box for all voxels of the volume.
+  std::vector<Level> allOf(const VoxelBox& box, std::span<const Level> levels) const;
 
   const Volume& volume_;
   const TissueTree& tissues_;

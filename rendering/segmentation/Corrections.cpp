@@ -228,6 +228,12 @@ CorrectedRegion correctedBeyond(const Volume& volume, const Competition& competi
 
 CorrectedRegion corrected(const Volume& volume, const Competition& competition, const FirstRegion& first,
                           std::span<const glm::ivec3> inside, std::span<const glm::ivec3> outside) {
+  if (std::optional<Competition::Region> walk = competition.furtherWalk(inside, outside, first)) {
+    CorrectedRegion region{std::move(walk->joins), {}};
+    region.curve = competition.curveOf(region.joins, first);
+    beginWith(region.curve, walk->step);
+    return region;
+  }
   const std::optional<FirstRegion> found = behindLeak(volume, competition, first, outside);
   return correctedBeyond(volume, competition, found ? *found : first, inside, outside);
 }

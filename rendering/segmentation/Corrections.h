@@ -16,6 +16,8 @@ struct CorrectedRegion {
 /// Adds what the further seeds of `inside` mean, and takes away what those `outside` do; the first of `inside` is the
 /// region's own. The step with which the region begins stays, but in a leak.
 ///
+/// A walk's region walks again, with all seeds as its ends, unless one lies too far away for it.
+///
 /// Where the first region is large enough for a leak, seeds outside are looked at first. One that lies in a far thicker
 /// part than the first seed takes away all up to the narrow place between. One in a part as thick, nearer to its middle
 /// than to its surface, leaves nothing for the shape to part, and so does any where the region lacks the first seed's

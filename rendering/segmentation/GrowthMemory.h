@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "rendering/segmentation/BoneRim.h"
 #include "rendering/segmentation/BoneTree.h"
 #include "rendering/segmentation/Curve.h"
 #include "rendering/segmentation/HounsfieldGuess.h"
@@ -22,8 +23,10 @@ struct FirstRegion {
   std::vector<Level> joins, costs;
   Noise noise;
   GrowthCurve curve;
-  bool isBone = false;  ///< whether it is one of BoneTree's
-  bool isTube = false;  ///< whether it is one of TubeTracer.h's
+  bool isBone = false;        ///< whether it is one of BoneTree's
+  std::vector<RimVoxel> rim;  ///< what was dropped from the bone
+  bool isTube = false;        ///< whether it is one of TubeTracer.h's
+  bool isWalk = false;        ///< whether it is one of RandomWalk.h's
 };
 
 /// A handle; copies share what it holds, some three bytes a voxel, and the volume's tissues and bones. growRegion()

@@ -50,18 +50,18 @@ std::vector<Line> linesOf(const SelectionStroke& stroke, const Grid& grid) {
 }
 
 /// A voxel within the radius.
-struct Reached {
+struct StrokeReach {
   glm::ivec3 voxel;
   double distance;
 };
 
 /// The voxels that a stroke reaches, in the order of the grid. Uses all cores, each for a plane of the grid at a time.
-std::vector<Reached> reachedBy(const SelectionStroke& stroke, const Grid& grid) {
+std::vector<StrokeReach> reachedBy(const SelectionStroke& stroke, const Grid& grid) {
   const VoxelBox box = boxOf(stroke, grid);
   if (box.empty()) return {};
   const std::vector<Line> lines = linesOf(stroke, grid);
   const glm::dmat4 worldFromIndex = grid.worldFromIndex();
-  std::vector<std::vector<Reached>> planes(static_cast<std::size_t>(box.dims().z));
+  std::vector<std::vector<StrokeReach>> planes(static_cast<std::size_t>(box.dims().z));
   const auto width = static_cast<std::size_t>(box.dims().x);
   parallelFor(planes.size(), 1, [&](std::size_t begin, std::size_t end) {
     std::vector<double> least;
@@ -84,22 +84,23 @@ std::vector<Reached> reachedBy(const SelectionStroke& stroke, const Grid& grid) 
           if (at(x, y) <= stroke.radius) planes[plane].push_back({{x, y, z}, at(x, y)});
     }
   });
-  std::vector<Reached> reached;
-  for (const std::vector<Reached>& plane : planes) reached.insert(reached.end(), plane.begin(), plane.end());
+  std::vector<StrokeReach> reached;
+  for (const std::vector<StrokeReach>& plane : planes) reached.insert(reached.end(), plane.begin(), plane.end());
   return reached;
 }
 
 /// v̄ of voxelsOf().
-double meanWithin(double core, const std::vector<Reached>& reached, const Volume& volume) {
+double meanWithin(double core, const std::vector<StrokeReach>& reached, const Volume& volume) {
   double sum = 0.0, count = 0.0;
-  for (const Reached& each : reached)
+  for (const StrokeReach& each : reached)
     if (const double value = volume.value(each.voxel); each.distance <= core && std::isfinite(value)) {
       sum += value;
       ++count;
     }
   if (count > 0.0) return sum / count;
-  const auto nearest = std::min_element(reached.begin(), reached.end(),
-                                        [](const Reached& a, const Reached& b) { return a.distance < b.distance; });
+  const auto nearest = std::min_element(reached.begin(), reached.end(), [](const StrokeReach& a, const StrokeReach& b) {
+    return a.distance < b.distance;
+  });
   return nearest == reached.end() ? std::numeric_limits<double>::quiet_NaN() : volume.value(nearest->voxel);
 }
 
@@ -115,11 +116,11 @@ VoxelBox boxOf(const SelectionStroke& stroke, const Grid& grid) {
 }
 
 std::vector<std::size_t> voxelsOf(const SelectionStroke& stroke, const Volume& volume, double noise) {
-  const std::vector<Reached> reached = reachedBy(stroke, volume.grid);
+  const std::vector<StrokeReach> reached = reachedBy(stroke, volume.grid);
   const double core = (1.0 - stroke.softness) * stroke.radius;
   const double mean = stroke.softness > 0.0 ? meanWithin(core, reached, volume) : 0.0;
   std::vector<std::size_t> voxels;
-  for (const Reached& each : reached) {
+  for (const StrokeReach& each : reached) {
     const bool inRim = each.distance > core;
     const double difference = inRim ? std::abs(volume.value(each.voxel) - mean) : 0.0;
     if (!inRim || difference * (each.distance - core) <= alike * noise * (stroke.radius - each.distance))
