@@ -7453,8 +7453,12 @@ Aus: erst die beste Ansicht, dann die beste daneben</translation>
 <context>
     <name>fenestra::viewer::StatusBar</name>
     <message>
-        <source>Software OpenGL: smaller pictures while moving</source>
-        <translation>Software-OpenGL: kleinere Bilder in Bewegung</translation>
+        <source>Software OpenGL</source>
+        <translation>Software-OpenGL</translation>
+    </message>
+    <message>
+        <source>Pictures are smaller while something moves: %1 draws them</source>
+        <translation>Bilder sind kleiner, solange sich etwas bewegt: %1 zeichnet sie</translation>
     </message>
     <message>
         <source>No OpenGL: slices only</source>

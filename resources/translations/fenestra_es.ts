@@ -7453,8 +7453,12 @@ Desactivado: primero la mejor vista, luego la mejor junto a ella</translation>
 <context>
     <name>fenestra::viewer::StatusBar</name>
     <message>
-        <source>Software OpenGL: smaller pictures while moving</source>
-        <translation>OpenGL por software: imágenes menores en movimiento</translation>
+        <source>Software OpenGL</source>
+        <translation>OpenGL por software</translation>
+    </message>
+    <message>
+        <source>Pictures are smaller while something moves: %1 draws them</source>
+        <translation>Las imágenes son menores mientras algo se mueve: las dibuja %1</translation>
     </message>
     <message>
         <source>No OpenGL: slices only</source>

@@ -7453,8 +7453,12 @@ Sinon&#xa0;: d&apos;abord la meilleure vue, puis la meilleure à côté</transla
 <context>
     <name>fenestra::viewer::StatusBar</name>
     <message>
-        <source>Software OpenGL: smaller pictures while moving</source>
-        <translation>OpenGL logiciel&#xa0;: images plus petites en mouvement</translation>
+        <source>Software OpenGL</source>
+        <translation>OpenGL logiciel</translation>
+    </message>
+    <message>
+        <source>Pictures are smaller while something moves: %1 draws them</source>
+        <translation>Les images sont plus petites tant que quelque chose bouge&#xa0;: %1 les dessine</translation>
     </message>
     <message>
         <source>No OpenGL: slices only</source>

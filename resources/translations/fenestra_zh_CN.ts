@@ -7446,8 +7446,12 @@ Off: first the best view, then the best one beside it</source>
 <context>
     <name>fenestra::viewer::StatusBar</name>
     <message>
-        <source>Software OpenGL: smaller pictures while moving</source>
-        <translation>软件 OpenGL：运动时图像缩小</translation>
+        <source>Software OpenGL</source>
+        <translation>软件 OpenGL</translation>
+    </message>
+    <message>
+        <source>Pictures are smaller while something moves: %1 draws them</source>
+        <translation>运动时图像缩小：由 %1 绘制</translation>
     </message>
     <message>
         <source>No OpenGL: slices only</source>

@@ -36,8 +36,8 @@ StatusBar::StatusBar(const Document& document, const ViewOptions& options, const
   pointer_->setTextFormat(Qt::PlainText);
   addWidget(pointer_, 1);
   if (gl.software) {
-    auto* software = new QLabel(tr("Software OpenGL: smaller pictures while moving"));
-    software->setToolTip(gl.renderer);
+    auto* software = new QLabel(tr("Software OpenGL"));
+    software->setToolTip(tr("Pictures are smaller while something moves: %1 draws them").arg(gl.renderer));
     addPermanentWidget(software);
   } else if (!gl.available) {
     addPermanentWidget(new QLabel(tr("No OpenGL: slices only")));
@@ -52,6 +52,8 @@ StatusBar::StatusBar(const Document& document, const ViewOptions& options, const
   connect(&options, &ViewOptions::changed, convention, nameConvention);
   nameConvention();
 
+  // Of a long message, a narrow window shows the beginning alone.
+  connect(this, &QStatusBar::messageChanged, this, &QWidget::setToolTip);
   connect(&document, &Document::volumeChanged, this, [this] {
     pointer_->clear();
     frame_->clear();

@@ -72,6 +72,7 @@ void CutawayPanel::layOut() {
   form_->addRow(name(settingOf(&Cutaway::borderWidth)), border);
   methodRows_.emplace(document_, *form_);
   form_->addRow(carving_);
+  axisOffset_->box()->setFixedWidth(64);  // two digits: the row holds four controls
   axis_->addWidget(axisOffset_, 1);
   axis_->addWidget(axisDirection_);
   form_->addRow(name(settingOf(&Cutaway::axisOffset)), axis_);

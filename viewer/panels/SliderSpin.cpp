@@ -14,6 +14,7 @@ SliderSpin::SliderSpin(double low, double high, double step, QWidget* parent)
     : QWidget(parent), slider_(new QSlider(Qt::Horizontal)), box_(new QDoubleSpinBox) {
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(0, 0, 0, 0);
+  slider_->setMinimumWidth(40);  // beside long names, too, it can be dragged
   row->addWidget(slider_, 1);
   row->addWidget(box_);
   box_->setKeyboardTracking(false);
