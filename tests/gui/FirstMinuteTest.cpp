@@ -76,6 +76,7 @@ class FirstMinute : public Window {
       wheel(axial, (wanted > now) == (forward > 0) ? 1 : -1);
       ASSERT_NE(axial->slice(), now) << "the wheel leads no further";
     }
+    cameras().orbit(0, 0.3, 0.2);  // the best view may be the one that data open with
     before_ = cameras().camera(0);
     QTest::mouseClick(axial, Qt::LeftButton, {}, axial->widgetFromWorld(world).toPoint());
   }
