@@ -26,6 +26,7 @@ struct Limits {
   std::chrono::milliseconds connect{10'000};       ///< until the server's machine answers
   std::chrono::milliseconds silence{60'000};       ///< in which not one byte comes or goes
   std::uint64_t objectBytes = 8ull << 30;          ///< of one object
+  std::uint64_t frameAheadBytes = 8u << 20;        ///< of an object, from which on one of its frames is fetched ahead
   std::uint64_t freeDiskBytes = 1ull << 30;        ///< that stay free where objects are written
   std::uint64_t cacheBytes = 50ull << 30;          ///< of all objects kept
   std::size_t answers = 100'000;                   ///< of one query
