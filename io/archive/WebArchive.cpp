@@ -210,17 +210,16 @@ class WebTransfer {
     }
   }
 
-  /// Shows a frame of a large object, where nothing of its series is here yet.
+  /// Tells of a frame of an object that takes its time, where nothing of its series is here yet.
   void lookAhead(const Wanted& wanted, const std::string& object, std::size_t total) {
     const auto at = wanted.frames.find(object);
     if (!arrived_ || at == wanted.frames.end() || !cache_.held(wanted.study, wanted.series).empty()) return;
     const Frames& frames = at->second;
-    if (frames.bytes > 0 && frames.bytes < server_.limits.frameAheadBytes) return;  // which comes as fast
     const int middle = frames.count / 2 + 1;
     const auto number = wanted.numbers.find(object);
     const fs::path file = intake_.newFile();
     ahead_.emplace(
-        server_, FramePlace{wanted.study, wanted.series, object, middle}, file,
+        server_, FramePlace{wanted.study, wanted.series, object, middle}, frames.bytes, file,
         [this, arrival = ArrivedObject{wanted.series, file, number == wanted.numbers.end() ? 0 : number->second, total,
                                        middle, frames.count}] { arrived_(arrival); });
   }
@@ -258,6 +257,7 @@ class WebTransfer {
             },
             [this](std::string_view bytes) {
               bytes_ += bytes.size();
+              if (ahead_) ahead_->count(bytes.size());
               if (bytes_ > server_.limits.objectBytes)
                 refuse(server_, "the server sends more than an object may hold", "it may be no archive");
               stream_.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
