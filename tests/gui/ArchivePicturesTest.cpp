@@ -75,7 +75,9 @@ class DrawingServer {
                         i == 2   ? "\"SR\""
                         : i == 3 ? "\"US\""
                                  : "\"CT\"") +
-                "," + element("00200011", "IS", std::to_string(i)) + "," + element("00201209", "IS", "9") + "}";
+                "," + element("00200011", "IS", std::to_string(i)) + "," +
+                element("0008103E", "LO", "\"T2 FLAIR sagittal, fat saturated\"") + "," +
+                element("00201209", "IS", "9") + "}";
       return list(sets);
     }
     return list("{" + element("0020000D", "UI", "\"1.2.3\"") + "," +
@@ -159,6 +161,21 @@ TEST_F(ArchivePicturesWindow, AreGivenUpWhenTheirRowsLeave) {
   EXPECT_FALSE(isRed(1));
   archive().results().expand(study());
   waitFor([&] { return isRed(1); });
+}
+
+TEST_F(ArchivePicturesWindow, LeaveRoomForTheNamesInANarrowDock) {
+  DrawingServer server;
+  unfold(webEntryOf(server.running()));
+  waitFor([&] { return isRed(1); });
+  QTreeView& results = archive().results();
+  const auto roomForName = [&] {
+    return results.visualRect(archive().model().index(0, 0, study())).width() - results.iconSize().width();
+  };
+  for (const int width : {200, 900}) {
+    window_->resizeDocks({&dock()}, {width}, Qt::Horizontal);
+    EXPECT_GE(roomForName(), results.fontMetrics().horizontalAdvance(QStringLiteral("1: T2 FLAIR"))) << width;
+  }
+  EXPECT_EQ(results.horizontalScrollBar()->maximum(), 0) << "with room for all";
 }
 
 TEST_F(ArchivePicturesWindow, AServerWithoutDicomwebIsAskedForNone) {
