@@ -171,11 +171,14 @@ TEST_F(ArchivePicturesWindow, LeaveRoomForTheNamesInANarrowDock) {
   const auto roomForName = [&] {
     return results.visualRect(archive().model().index(0, 0, study())).width() - results.iconSize().width();
   };
-  for (const int width : {200, 900}) {
-    window_->resizeDocks({&dock()}, {width}, Qt::Horizontal);
-    EXPECT_GE(roomForName(), results.fontMetrics().horizontalAdvance(QStringLiteral("1: T2 FLAIR"))) << width;
-  }
-  EXPECT_EQ(results.horizontalScrollBar()->maximum(), 0) << "with room for all";
+  const int name = results.fontMetrics().horizontalAdvance(QStringLiteral("1: T2 FLAIR"));
+  window_->resizeDocks({&dock()}, {200}, Qt::Horizontal);
+  waitFor([&] { return results.viewport()->width() < 200; });
+  EXPECT_GE(roomForName(), name);
+  window_->resizeDocks({&dock()}, {900}, Qt::Horizontal);
+  waitFor([&] { return results.viewport()->width() > 400; });
+  EXPECT_GE(roomForName(), 2 * name);
+  waitFor([&] { return results.horizontalScrollBar()->maximum() == 0; });
 }
 
 TEST_F(ArchivePicturesWindow, AServerWithoutDicomwebIsAskedForNone) {
