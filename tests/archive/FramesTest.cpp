@@ -66,8 +66,8 @@ TEST(ArchiveFrames, OneIsWhatTheObjectHasThere) {
     const fs::path file = folder / "frame";
     ASSERT_TRUE(archive::fetchFrame(server, {made.uid, made.series, made.object, 4}, file));
     const io::OpenedVolume frame = io::openVolume(file);
-    EXPECT_EQ(realValues(*frame.volume), valuesAt(made.file, 4));
-    EXPECT_NE(realValues(*frame.volume), valuesAt(made.file, 3));
+    EXPECT_TRUE(realValues(*frame.volume) == valuesAt(made.file, 4));
+    EXPECT_FALSE(realValues(*frame.volume) == valuesAt(made.file, 3));
     EXPECT_EQ(frame.volume->defaultWindow().level, 40.0);
     EXPECT_EQ(frame.volume->grid.spacing.x, 0.75);
     EXPECT_EQ(frame.volume->grid.spacing.y, 0.5);
@@ -113,14 +113,14 @@ TEST(ArchiveFrames, TheMiddleOneIsHereWhileTheObjectIsOnItsWay) {
   EXPECT_EQ(arrived[0].frames, 60);
   EXPECT_EQ(arrived[0].total, 1u);
   EXPECT_EQ(arrived[0].series, made.series);
-  EXPECT_EQ(values, valuesAt(made.file, 31));
+  EXPECT_TRUE(values == valuesAt(made.file, 31));
   EXPECT_FALSE(fs::exists(arrived[0].file)) << "nothing of it stays";
   EXPECT_TRUE(cache.held(made.uid, made.series).empty());
 
   server.url = running->web;
   const archive::Retrieved got = archive::retrieve(server, {made.uid, made.series, {}, retrieval.arrived}, cache);
   EXPECT_EQ(arrived.back().frame, 0) << "the object is told last";
-  EXPECT_EQ(objectsIn(got.series.at(0).folder), objectsIn(made.file.parent_path()));
+  EXPECT_TRUE(objectsIn(got.series.at(0).folder) == objectsIn(made.file.parent_path()));
 }
 
 TEST(ArchiveFrames, WhatWasNotAskedForIsNone) {
@@ -157,7 +157,8 @@ TEST(ArchiveFrames, WhatWasNotAskedForIsNone) {
       {"too long", of(type, "--b\r\n\r\n" + samples + "yy\r\n--b--\r\n")},
       {"two parts", of(type, part + "\r\n" + message)},
       {"an empty part more", of(type, part + "\r\n--b\r\n\r\n\r\n--b--\r\n")},
-      {"no end", of(type, part)},
+      {"no end of the part", of(type, part)},
+      {"no end of the message", of(type, part + "\r\n--b\r\n")},
       {"endless", of(type, "--b\r\n\r\n" + std::string(1u << 20, 'x') + "\r\n--b--\r\n")},
       {"cut off", changed(of(type, message), "Content-Length: ", "Content-Length: 9")}};
   for (const auto& [name, answer] : rows) EXPECT_FALSE(fetches(said, answer)) << name;
