@@ -118,6 +118,9 @@ void Cache::complete(const std::string& study, const std::string& series) const 
     for (const fs::path& file : objectsIn(part)) fs::rename(file, whole / file.filename());
     fs::remove_all(part);
   } else {
+    // A program that was ended left what it was receiving, which is no object of the series.
+    for (const auto& entry : fs::directory_iterator(part))
+      if (entry.path().extension() != ".dcm") fs::remove_all(entry.path());
     fs::rename(part, whole);
   }
   std::error_code failure;

@@ -23,15 +23,16 @@ struct TlsFiles {
 /// What keeps a server, or whoever else connects, from filling memory or disk, or from holding us up. No limit bounds
 /// the time of a whole transfer.
 struct Limits {
-  std::chrono::milliseconds connect{10'000};       ///< until the server's machine answers
-  std::chrono::milliseconds silence{60'000};       ///< in which not one byte comes or goes
-  std::uint64_t objectBytes = 8ull << 30;          ///< of one object
-  std::uint64_t freeDiskBytes = 1ull << 30;        ///< that stay free where objects are written
-  std::uint64_t cacheBytes = 50ull << 30;          ///< of all objects kept
-  std::size_t answers = 100'000;                   ///< of one query
-  std::size_t answerBytes = 64u << 20;             ///< of one answer, or one page of answers
-  std::size_t associations = 4;                    ///< at a time, with our provider
-  std::size_t waitingConnections = 16;             ///< that have not yet said who they are
+  std::chrono::milliseconds connect{10'000};    ///< until the server's machine answers
+  std::chrono::milliseconds silence{60'000};    ///< in which not one byte comes or goes
+  std::chrono::milliseconds frameAhead{3'000};  ///< that an object must still take for one of its frames to be fetched
+  std::uint64_t objectBytes = 8ull << 30;       ///< of one object
+  std::uint64_t freeDiskBytes = 1ull << 30;     ///< that stay free where objects are written
+  std::uint64_t cacheBytes = 50ull << 30;       ///< of all objects kept
+  std::size_t answers = 100'000;                ///< of one query
+  std::size_t answerBytes = 64u << 20;          ///< of one answer, or one page of answers
+  std::size_t associations = 4;                 ///< at a time, with our provider
+  std::size_t waitingConnections = 16;          ///< that have not yet said who they are
   std::chrono::milliseconds introduction{10'000};  ///< in which a connection must say who it is
   std::chrono::milliseconds commitment{300'000};   ///< until a server says whether it keeps what it was sent
 };

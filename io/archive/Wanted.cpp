@@ -6,6 +6,29 @@
 
 namespace fenestra::io::archive {
 
+namespace {
+
+/// 0 where the attribute holds no whole number that fits.
+int wholeNumberOf(const Attributes& record, const std::string& keyword) {
+  const std::string text = valueOf(record, keyword);
+  int count = 0;
+  const bool isNumber = std::from_chars(text.data(), text.data() + text.size(), count).ec == std::errc();
+  return isNumber ? std::max(count, 0) : 0;
+}
+
+Frames framesOf(const Attributes& record) {
+  Frames frames{wholeNumberOf(record, "NumberOfFrames"), 0};
+  constexpr int mostSide = 65535, mostBits = 64;
+  const int rows = wholeNumberOf(record, "Rows"), columns = wholeNumberOf(record, "Columns"),
+            bits = wholeNumberOf(record, "BitsAllocated");
+  if (rows <= mostSide && columns <= mostSide && bits <= mostBits)
+    frames.bytes = static_cast<std::uint64_t>(rows) * static_cast<std::uint64_t>(columns) *
+                   static_cast<std::uint64_t>(bits) / 8 * static_cast<std::uint64_t>(frames.count);
+  return frames;
+}
+
+}  // namespace
+
 std::vector<Wanted> wantedIn(const std::vector<Attributes>& images, const std::string& study) {
   std::map<std::string, Wanted> bySeries;
   for (const Attributes& record : images) {
@@ -19,6 +42,7 @@ std::vector<Wanted> wantedIn(const std::vector<Attributes>& images, const std::s
     int number = 0;
     if (std::from_chars(text.data(), text.data() + text.size(), number).ec == std::errc())
       wanted.numbers[object] = number;
+    if (const Frames frames = framesOf(record); frames.count > 1) wanted.frames[object] = frames;
   }
   std::vector<Wanted> all;
   for (auto& [uid, wanted] : bySeries) all.push_back(std::move(wanted));

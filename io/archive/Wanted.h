@@ -1,6 +1,7 @@
 #pragma once
 // What a retrieval asks for, and what of it is not here yet. Private to io/archive.
 
+#include <cstdint>
 #include <map>
 #include <string>
 #include <vector>
@@ -11,11 +12,18 @@
 
 namespace fenestra::io::archive {
 
+/// What a server says of an object with several frames.
+struct Frames {
+  int count = 0;
+  std::uint64_t bytes = 0;  ///< of all without compression; 0 where it does not tell
+};
+
 /// Objects of one series that are asked for: their class by their UID.
 struct Wanted {
   std::string study, series;
   std::map<std::string, std::string> objects;
-  std::map<std::string, int> numbers = {};  ///< Instance Number by UID, where it is known
+  std::map<std::string, int> numbers = {};    ///< Instance Number by UID, where it is known
+  std::map<std::string, Frames> frames = {};  ///< by UID, where there are several
 };
 
 /// The objects of `study` that answers at the level of images name, by series.

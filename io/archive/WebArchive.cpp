@@ -10,6 +10,7 @@
 
 #include "io/archive/Association.h"
 #include "io/archive/Descent.h"
+#include "io/archive/FrameAhead.h"
 #include "io/archive/Http.h"
 #include "io/archive/Intake.h"
 #include "io/archive/Keys.h"
@@ -140,6 +141,7 @@ class WebTransfer {
         cache_(cache),
         http_(http),
         task_(task),
+        arrived_(arrived),
         choosesOrder_(static_cast<bool>(arrived)),
         intake_(cache, server.limits, task.activity(), arrived) {}
 
@@ -150,7 +152,7 @@ class WebTransfer {
     if (missing.objects.empty()) return;
     total_ = total;
     intake_.expect(one, missing, total);
-    readEach(one, missing);
+    readEach(one, missing, total);
     begun_ = {one.series, intake_.received()};
   }
 
@@ -181,7 +183,7 @@ class WebTransfer {
       if (count == wanted.objects.size() && !choosesOrder_)
         read(pathOf(wanted), count);
       else
-        readEach(wanted, missing);
+        readEach(wanted, missing, wanted.objects.size());
       before_ += intake_.received();
       if (intake_.received() < count)
         refuse(server_,
@@ -198,9 +200,28 @@ class WebTransfer {
     return "/studies/" + http_.escaped(wanted.study) + "/series/" + http_.escaped(wanted.series);
   }
 
-  void readEach(const Wanted& wanted, const Wanted& missing) {
-    for (const std::string& object : middleFirst(wanted))
-      if (missing.objects.contains(object)) read(pathOf(wanted) + "/instances/" + http_.escaped(object), 1);
+  /// `total`: objects of the series.
+  void readEach(const Wanted& wanted, const Wanted& missing, std::size_t total) {
+    for (const std::string& object : middleFirst(wanted)) {
+      if (!missing.objects.contains(object)) continue;
+      lookAhead(wanted, object, total);
+      read(pathOf(wanted) + "/instances/" + http_.escaped(object), 1);
+      ahead_.reset();
+    }
+  }
+
+  /// Tells of a frame of an object that takes its time, where nothing of its series is here yet.
+  void lookAhead(const Wanted& wanted, const std::string& object, std::size_t total) {
+    const auto at = wanted.frames.find(object);
+    if (!arrived_ || at == wanted.frames.end() || !cache_.held(wanted.study, wanted.series).empty()) return;
+    const Frames& frames = at->second;
+    const int middle = frames.count / 2 + 1;
+    const auto number = wanted.numbers.find(object);
+    const fs::path file = intake_.newFile();
+    ahead_.emplace(
+        server_, FramePlace{wanted.study, wanted.series, object, middle}, frames.bytes, file,
+        [this, arrival = ArrivedObject{wanted.series, file, number == wanted.numbers.end() ? 0 : number->second, total,
+                                       middle, frames.count}] { arrived_(arrival); });
   }
 
   void read(const std::string& path, std::size_t objects) {
@@ -236,6 +257,7 @@ class WebTransfer {
             },
             [this](std::string_view bytes) {
               bytes_ += bytes.size();
+              if (ahead_) ahead_->count(bytes.size());
               if (bytes_ > server_.limits.objectBytes)
                 refuse(server_, "the server sends more than an object may hold", "it may be no archive");
               stream_.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
@@ -243,6 +265,7 @@ class WebTransfer {
             [this] {
               stream_.close();
               if (stream_.fail()) throw Error(cache_.root(), "cannot be written to", "make room, and try again");
+              ahead_.reset();  // before the object is told, so that no frame is told after it
               intake_.take(file_);
               const double done = static_cast<double>(before_ + intake_.received()) / static_cast<double>(total_);
               task_.setFraction(std::min(done, 1.0));
@@ -253,6 +276,7 @@ class WebTransfer {
   const Cache& cache_;
   Http& http_;
   Task& task_;
+  const Arrival& arrived_;
   const bool choosesOrder_;  ///< somebody is told of each object, so the middle of each gap is asked for next
   Intake intake_;
   fs::path file_;
@@ -264,6 +288,7 @@ class WebTransfer {
     std::size_t count = 0;
   } begun_;  ///< what begin() brought
   Retrieved retrieved_;
+  std::optional<FrameAhead> ahead_;
 };
 
 /// The middle object, by its number, of the series that a retrieval is about, or of its study's largest, and how many

@@ -4412,6 +4412,10 @@ Kosinus des Winkels zur nächsten der sechs</translation>
         <source>All images are here. The study is being opened.</source>
         <translation>Alle Bilder sind da. Die Studie wird geöffnet.</translation>
     </message>
+    <message>
+        <source>Not whole: frame %1 of %2 is here. The study opens, with its 3-D views, once all are.</source>
+        <translation>Unvollständig: Bild %1 von %2 ist da. Die Studie öffnet sich mit ihren 3-D-Ansichten, sobald alle da sind.</translation>
+    </message>
 </context>
 <context>
     <name>fenestra::viewer::BestViews</name>

@@ -4412,6 +4412,10 @@ Coseno del ángulo con la más próxima de las seis</translation>
         <source>All images are here. The study is being opened.</source>
         <translation>Han llegado todas las imágenes. Se está abriendo el estudio.</translation>
     </message>
+    <message>
+        <source>Not whole: frame %1 of %2 is here. The study opens, with its 3-D views, once all are.</source>
+        <translation>Incompleto: ha llegado la imagen %1 de %2. El estudio se abre, con sus vistas 3D, cuando estén todas.</translation>
+    </message>
 </context>
 <context>
     <name>fenestra::viewer::BestViews</name>

@@ -4412,6 +4412,10 @@ Cosinus de l&apos;angle avec la plus proche des six</translation>
         <source>All images are here. The study is being opened.</source>
         <translation>Toutes les images sont là. L’examen est en cours d’ouverture.</translation>
     </message>
+    <message>
+        <source>Not whole: frame %1 of %2 is here. The study opens, with its 3-D views, once all are.</source>
+        <translation>Incomplet : l’image %1 sur %2 est arrivée. L’examen s’ouvre, avec ses vues 3D, dès qu’elles y sont toutes.</translation>
+    </message>
 </context>
 <context>
     <name>fenestra::viewer::BestViews</name>

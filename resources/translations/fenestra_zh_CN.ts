@@ -4411,6 +4411,10 @@ Cosine of the angle to the nearest of the six</source>
         <source>All images are here. The study is being opened.</source>
         <translation>所有图像均已到达。正在打开检查。</translation>
     </message>
+    <message>
+        <source>Not whole: frame %1 of %2 is here. The study opens, with its 3-D views, once all are.</source>
+        <translation>不完整：%2 幅图像中的第 %1 幅已到达。全部到达后，检查会连同三维视图一起打开。</translation>
+    </message>
 </context>
 <context>
     <name>fenestra::viewer::BestViews</name>

@@ -194,6 +194,17 @@ TEST(ArchiveTurns, ARetrievalWaitsForAnotherProgramAndThenHasAll) {
     EXPECT_TRUE(entry.is_directory() || entry.path().extension() == ".dcm") << entry.path() << " is left behind";
 }
 
+TEST(ArchiveTurns, WhatAnEndedProgramWasReceivingIsNoObjectOfTheSeries) {
+  const archive::Cache cache(scratchFolder() / "cache");
+  const fs::path part = cache.partOf("1.1", "1.1.1");
+  std::ofstream(part / "a.dcm") << "object";
+  std::ofstream(part / "incoming-1-0") << "a half of one, or a frame";
+  cache.complete("1.1", "1.1.1");
+  const fs::path whole = cache.folderOf("1.1", "1.1.1");
+  EXPECT_TRUE(fs::exists(whole / "a.dcm"));
+  EXPECT_FALSE(fs::exists(whole / "incoming-1-0"));
+}
+
 TEST(ArchiveTurns, WhatIsBeingWrittenIsNeitherTrimmedNorCleared) {
   const archive::Cache cache(scratchFolder() / "cache");
   std::ofstream(cache.partOf("1.1", "1.1.1") / "a.dcm") << "object";

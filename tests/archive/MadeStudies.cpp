@@ -7,7 +7,6 @@
 #include <dcmtk/dcmdata/dctk.h>
 
 #include "tests/io/DicomItems.h"
-#include "tests/io/DicomWriter.h"
 
 namespace fenestra::tests {
 namespace fs = std::filesystem;
@@ -66,6 +65,31 @@ std::vector<MadeStudy> makeStudies(const fs::path& folder) {
 
 MadeStudy makeStudy(const fs::path& folder, const std::string& uid, int slices) {
   return made({uid, uid + ".1", "Test^Study", "T-" + uid, "T1", "20240101", "Test", "", slices}, folder);
+}
+
+MadeFrames makeFrames(const fs::path& folder, const std::string& uid, int frames, Syntax syntax) {
+  MadeFrames made{uid, uid + ".1", uid + ".1.1", folder / (uid + ".dcm")};
+  fs::create_directories(folder);
+  DicomSpec spec;
+  spec.sopClass = UID_EnhancedCTImageStorage;
+  spec.instance = made.object;
+  spec.series = made.series;
+  spec.syntax = syntax;
+  spec.rows = spec.columns = 64;
+  spec.pixelSpacing = "0.5\\0.75";
+  spec.window = "40 400";
+  for (int frame = 0; frame < frames; ++frame) {
+    spec.frames.push_back({{0.0, 0.0, 2.0 * frame}, 1.0 + 0.5 * frame, -100.0 * frame});
+    for (int i = 0; i < 64 * 64; ++i)
+      spec.words.push_back(static_cast<std::uint32_t>((i * 7 + frame * 131) % 4001 - 2000) & 0xffff);
+  }
+  writeDicom(made.file, spec);
+  DcmFileFormat file;
+  EXPECT_TRUE(file.loadFile(made.file.c_str()).good());
+  file.loadAllDataIntoMemory();
+  put(*file.getDataset(), DCM_StudyInstanceUID, uid);
+  EXPECT_TRUE(file.saveFile(made.file.c_str(), file.getDataset()->getOriginalXfer()).good());
+  return made;
 }
 
 std::map<std::string, std::string> objectsIn(const fs::path& folder) {

@@ -175,12 +175,18 @@ std::vector<std::string> codecSeeds() {
           std::string("\x05\x00\x5a\x10\x27", 5)};
 }
 
-/// Answers to a search, with a name in two writings, and to objects that were sent (PS3.18 annex F, 10.5.3).
+/// Answers to a search, with a name in two writings, to objects that were sent (PS3.18 annex F, 10.5.3), and of an
+/// object with two frames.
 std::vector<std::string> webJsonSeeds() {
   return {R"([{"00100010": {"vr": "PN", "Value": [{"Alphabetic": "Yamada^Tarou", "Ideographic": "山田^太郎"}]},
                "00080061": {"vr": "CS", "Value": ["CT", "MR"]}, "00201208": {"vr": "IS", "Value": [12]}}])",
           R"({"00081199": {"vr": "SQ", "Value": [{"00081150": {"vr": "UI", "Value": ["1.2"]}}]}})",
-          R"({"00081198": {"vr": "SQ", "Value": [{"00081197": {"vr": "US", "Value": [272]}}]}})", "[]"};
+          R"({"00081198": {"vr": "SQ", "Value": [{"00081197": {"vr": "US", "Value": [272]}}]}})", "[]",
+          R"([{"00280004": {"vr": "CS", "Value": ["MONOCHROME2"]}, "00280008": {"vr": "IS", "Value": ["2"]},
+               "00280010": {"vr": "US", "Value": [4]}, "00280011": {"vr": "US", "Value": [4]},
+               "00280100": {"vr": "US", "Value": [16]}, "52009229": {"vr": "SQ", "Value": [{"00289110":
+               {"vr": "SQ", "Value": [{"00280030": {"vr": "DS", "Value": [0.5, 0.5]}}]}}]}, "52009230": {"vr": "SQ",
+               "Value": [{}, {"00289145": {"vr": "SQ", "Value": [{"00281052": {"vr": "DS", "Value": [-1024]}}]}}]}}])"};
 }
 
 /// Two parts, whole and in pieces of three bytes.

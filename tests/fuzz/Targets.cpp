@@ -118,11 +118,12 @@ void openTransferFunction(const fs::path& file) {
   io::loadContextFunction(file.string(), volume);
 }
 
-/// What a server of DICOMweb answers to a search, and to objects that were sent.
+/// What a server of DICOMweb answers to a search, to objects that were sent, and of an object with frames.
 void readWebJson(const fs::path& file) {
   const std::string text = tests::readFile(file);
   io::archive::attributesInJson(text);
   io::archive::storeAnswerIn(text);
+  io::archive::frameHeaderIn(text, 2);
 }
 
 /// The parts of a message that comes in pieces of `size` bytes, those that came whole alone.

@@ -75,7 +75,9 @@ class DrawingServer {
                         i == 2   ? "\"SR\""
                         : i == 3 ? "\"US\""
                                  : "\"CT\"") +
-                "," + element("00200011", "IS", std::to_string(i)) + "," + element("00201209", "IS", "9") + "}";
+                "," + element("00200011", "IS", std::to_string(i)) + "," +
+                element("0008103E", "LO", "\"T2 FLAIR sagittal, fat saturated\"") + "," +
+                element("00201209", "IS", "9") + "}";
       return list(sets);
     }
     return list("{" + element("0020000D", "UI", "\"1.2.3\"") + "," +
@@ -159,6 +161,24 @@ TEST_F(ArchivePicturesWindow, AreGivenUpWhenTheirRowsLeave) {
   EXPECT_FALSE(isRed(1));
   archive().results().expand(study());
   waitFor([&] { return isRed(1); });
+}
+
+TEST_F(ArchivePicturesWindow, LeaveRoomForTheNamesInANarrowDock) {
+  DrawingServer server;
+  unfold(webEntryOf(server.running()));
+  waitFor([&] { return isRed(1); });
+  QTreeView& results = archive().results();
+  const auto roomForName = [&] {
+    return results.visualRect(archive().model().index(0, 0, study())).width() - results.iconSize().width();
+  };
+  const int name = results.fontMetrics().horizontalAdvance(QStringLiteral("1: T2 FLAIR"));
+  window_->resizeDocks({&dock()}, {200}, Qt::Horizontal);
+  waitFor([&] { return results.viewport()->width() < 200; });
+  EXPECT_GE(roomForName(), name);
+  window_->resizeDocks({&dock()}, {900}, Qt::Horizontal);
+  waitFor([&] { return results.viewport()->width() > 400; });
+  EXPECT_GE(roomForName(), 2 * name);
+  waitFor([&] { return results.horizontalScrollBar()->maximum() == 0; });
 }
 
 TEST_F(ArchivePicturesWindow, AServerWithoutDicomwebIsAskedForNone) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include <QComboBox>
+#include <QEvent>
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
@@ -35,6 +36,38 @@ struct FoundStudies {
   std::shared_ptr<ArchiveNode> tree;
   std::size_t count = 0;
   bool complete = true, ignoresKeys = false;
+};
+
+/// Gives the column of names what the others leave, and in a narrow dock as much as shows how a name begins, behind its
+/// picture; the list then scrolls to the side.
+class NameRoom : public QObject {
+ public:
+  explicit NameRoom(QTreeView& view) : QObject(&view), view_(view) {
+    view.viewport()->installEventFilter(this);
+    connect(view.header(), &QHeaderView::sectionResized, this, [this](int column) {
+      if (column != ArchiveModel::Name) fit();
+    });
+    connect(view.model(), &QAbstractItemModel::modelReset, this, &NameRoom::fit);
+    connect(view.model(), &QAbstractItemModel::rowsInserted, this, &NameRoom::fit);
+  }
+
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override {
+    if (event->type() == QEvent::Resize) fit();
+    return QObject::eventFilter(watched, event);
+  }
+
+ private:
+  void fit() {
+    // Of a series, "12: T2 FLAIR…", whose picture only rows that differ in height have.
+    constexpr int depth = 3, letters = 16;
+    const int picture = view_.uniformRowHeights() ? 0 : view_.iconSize().width();
+    const int least = depth * view_.indentation() + picture + letters * view_.fontMetrics().averageCharWidth();
+    const int others = view_.header()->length() - view_.columnWidth(ArchiveModel::Name);
+    view_.setColumnWidth(ArchiveModel::Name, std::max(view_.viewport()->width() - others, least));
+  }
+
+  QTreeView& view_;
 };
 
 }  // namespace
@@ -152,13 +185,12 @@ QWidget* ArchivePanel::makeResults() {
   QHeaderView* header = results_->header();
   header->setStretchLastSection(false);
   header->setMinimumSectionSize(30);
-  header->setSectionResizeMode(ArchiveModel::Name, QHeaderView::Stretch);
-  for (const int column : {ArchiveModel::Date, ArchiveModel::Type, ArchiveModel::Images})
-    header->setSectionResizeMode(column, QHeaderView::Interactive);
+  header->setSectionResizeMode(QHeaderView::Interactive);
   const QFontMetrics metrics(font());
   header->resizeSection(ArchiveModel::Date, metrics.horizontalAdvance(QStringLiteral("2000-00-00")) + 10);
   header->resizeSection(ArchiveModel::Type, metrics.horizontalAdvance(QStringLiteral("CT, MR")) + 10);
   header->resizeSection(ArchiveModel::Images, metrics.horizontalAdvance(tr("Images")) + 12);
+  new NameRoom(*results_);
   const auto activate = [this](const QModelIndex& index) {
     const ArchiveNode* node = model_->nodeAt(index);
     if (node && node->kind == ArchiveNode::Kind::Patient)

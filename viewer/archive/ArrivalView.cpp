@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <utility>
 
 #include <QCoreApplication>
 #include <QEvent>
@@ -113,6 +114,10 @@ void ArrivalView::add(int retrieval, const io::archive::ArrivedObject& object) {
     shown_ = key;
   }
   total_ = object.total;
+  if (std::exchange(isAhead_, object.frame > 0)) {  // the object of that frame
+    slices_.clear();
+    shown_ = key;
+  }
   slices_.insert_or_assign(key, object.file);
   if (picture_.isNull() && !job_.isRunning()) shown_ = key;
   {
@@ -120,7 +125,12 @@ void ArrivalView::add(int retrieval, const io::archive::ArrivedObject& object) {
     slider_->setRange(0, slicesHere() - 1);
     slider_->setValue(static_cast<int>(std::distance(slices_.begin(), slices_.find(shown_))));
   }
-  sayHowMany();
+  if (isAhead_)
+    text_->setText(tr("Not whole: frame %1 of %2 is here. The study opens, with its 3-D views, once all are.")
+                       .arg(object.frame)
+                       .arg(object.frames));
+  else
+    sayHowMany();
   read();
 }
 
@@ -151,6 +161,7 @@ void ArrivalView::end() {
   isHidden_ = false;
   series_.clear();
   slices_.clear();
+  isAhead_ = false;
   picture_ = {};
   shown_ = read_ = {};
   setVisible(false);

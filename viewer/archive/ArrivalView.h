@@ -1,6 +1,7 @@
 #pragma once
 // The slices of a series that is on its way, over the views, until it is whole and has opened. Of what has come one
-// slice is shown, the middle one at first; a slider looks through the others. It says that the series is not whole.
+// slice is shown, the middle one at first; a slider looks through the others. It says that the series is not whole. Of
+// an object with many frames, which comes as a whole, the middle one may be here before.
 
 #include <filesystem>
 #include <map>
@@ -58,7 +59,8 @@ class ArrivalView : public QWidget {
   std::string series_;
   std::size_t total_ = 0;
   std::map<Key, std::filesystem::path> slices_;
-  Key shown_, read_;  ///< to be shown; and the one of picture_
+  bool isAhead_ = false;  ///< slices_ is a frame alone, of an object that is on its way
+  Key shown_, read_;      ///< to be shown; and the one of picture_
   QImage picture_;
 };
 
