@@ -2,7 +2,6 @@
 
 #include <QCheckBox>
 #include <QComboBox>
-#include <QDialogButtonBox>
 #include <QFormLayout>
 #include <QLabel>
 #include <QProgressBar>
@@ -14,6 +13,7 @@
 #include "io/base/Reading.h"
 #include "viewer/archive/CommitQuestion.h"
 #include "viewer/archive/Conversation.h"
+#include "viewer/archive/OutcomeRows.h"
 #include "viewer/model/Document.h"
 #include "viewer/model/Paths.h"
 
@@ -29,27 +29,15 @@ SendDialog::SendDialog(Archives& archives, const Document& document, QWidget* pa
   setWindowTitle(tr("Send to an archive"));
   auto* form = new QFormLayout;
   addChoices(*form);
-  status_ = new QLabel;
-  status_->setObjectName(QStringLiteral("sendStatus"));
-  status_->setTextFormat(Qt::PlainText);
-  status_->setWordWrap(true);
-  progress_ = new QProgressBar;
-  progress_->setRange(0, 1000);
-  progress_->setTextVisible(false);
-  progress_->hide();
-  answers_ = new SentAnswers;
-  answers_->setObjectName(QStringLiteral("sendAnswers"));
-  auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close);
-  send_ = buttons->addButton(tr("Send"), QDialogButtonBox::ActionRole);
-  send_->setObjectName(QStringLiteral("sendNow"));
-  connect(send_, &QPushButton::clicked, this, &SendDialog::send);
-  connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
   auto* column = new QVBoxLayout(this);
   column->addLayout(form);
-  column->addWidget(progress_);
-  column->addWidget(status_);
-  column->addWidget(answers_, 1);
-  column->addWidget(buttons);
+  const OutcomeRows rows = addOutcomeRows(*column, *this, tr("Send"), QStringLiteral("send"));
+  progress_ = rows.progress;
+  status_ = rows.status;
+  answers_ = rows.answers;
+  send_ = rows.start;
+  send_->setObjectName(QStringLiteral("sendNow"));
+  connect(send_, &QPushButton::clicked, this, &SendDialog::send);
   resize(560, 420);
 
   connect(this, &QDialog::finished, &job_, &LoadJob::cancel);

@@ -8,7 +8,6 @@
 
 #include <QCheckBox>
 #include <QComboBox>
-#include <QDialogButtonBox>
 #include <QDir>
 #include <QGridLayout>
 #include <QHeaderView>
@@ -22,6 +21,8 @@
 
 #include "io/LabelWriter.h"
 #include "viewer/archive/Conversation.h"
+#include "viewer/archive/OutcomeRows.h"
+#include "viewer/archive/SentAnswers.h"
 #include "viewer/model/Document.h"
 #include "viewer/model/Paths.h"
 #include "viewer/model/WayOutText.h"
@@ -185,26 +186,14 @@ void DeidentifyDialog::addPlaces(QVBoxLayout& column) {
 }
 
 void DeidentifyDialog::addOutcome(QVBoxLayout& column) {
-  progress_ = new QProgressBar;
-  progress_->setRange(0, 1000);
-  progress_->setTextVisible(false);
-  progress_->hide();
-  status_ = new QLabel;
-  status_->setObjectName(QStringLiteral("deidentifyStatus"));
-  status_->setTextFormat(Qt::PlainText);
-  status_->setWordWrap(true);
-  answers_ = new SentAnswers;
-  answers_->setObjectName(QStringLiteral("deidentifyAnswers"));
+  const OutcomeRows rows = addOutcomeRows(column, *this, tr("Save"), QStringLiteral("deidentify"));
+  progress_ = rows.progress;
+  status_ = rows.status;
+  answers_ = rows.answers;
   answers_->hide();
-  auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close);
-  save_ = buttons->addButton(tr("Save"), QDialogButtonBox::ActionRole);
+  save_ = rows.start;
   save_->setObjectName(QStringLiteral("deidentifySave"));
   connect(save_, &QPushButton::clicked, this, &DeidentifyDialog::save);
-  connect(buttons, &QDialogButtonBox::rejected, this, &DeidentifyDialog::reject);
-  column.addWidget(progress_);
-  column.addWidget(status_);
-  column.addWidget(answers_, 1);
-  column.addWidget(buttons);
 }
 
 void DeidentifyDialog::reject() {

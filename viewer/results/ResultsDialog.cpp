@@ -5,7 +5,6 @@
 
 #include <QCheckBox>
 #include <QComboBox>
-#include <QDialogButtonBox>
 #include <QDir>
 #include <QFormLayout>
 #include <QGridLayout>
@@ -16,6 +15,7 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
+#include "viewer/archive/OutcomeRows.h"
 #include "viewer/archive/SentAnswers.h"
 #include "viewer/model/Document.h"
 #include "viewer/model/Paths.h"
@@ -177,27 +177,15 @@ void ResultsDialog::addPlaces(QVBoxLayout& column) {
 }
 
 void ResultsDialog::addOutcome(QVBoxLayout& column) {
-  progress_ = new QProgressBar;
-  progress_->setRange(0, 1000);
-  progress_->setTextVisible(false);
-  progress_->hide();
-  status_ = new QLabel;
-  status_->setObjectName(QStringLiteral("resultStatus"));
-  status_->setTextFormat(Qt::PlainText);
-  status_->setWordWrap(true);
-  answers_ = new SentAnswers;
-  answers_->setObjectName(QStringLiteral("resultAnswers"));
+  const OutcomeRows rows = addOutcomeRows(column, *this, tr("Save"), QStringLiteral("result"));
+  progress_ = rows.progress;
+  status_ = rows.status;
+  answers_ = rows.answers;
   answers_->hide();
-  auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close);
-  save_ = buttons->addButton(tr("Save"), QDialogButtonBox::ActionRole);
+  column.insertStretch(column.indexOf(rows.buttons));  // takes the height that is left while there are no answers
+  save_ = rows.start;
   save_->setObjectName(QStringLiteral("resultSave"));
   connect(save_, &QPushButton::clicked, this, &ResultsDialog::save);
-  connect(buttons, &QDialogButtonBox::rejected, this, &ResultsDialog::reject);
-  column.addWidget(progress_);
-  column.addWidget(status_);
-  column.addWidget(answers_, 1);
-  column.addStretch();  // takes the height that is left while there are no answers
-  column.addWidget(buttons);
 }
 
 void ResultsDialog::reject() {
