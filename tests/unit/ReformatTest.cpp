@@ -205,7 +205,8 @@ TEST(CentreLine, OfTheAortaAgreesWithItsVolumeAndItsSlices) {
   EXPECT_NEAR(sumOfAreas(region, curve), volumeOfRegion(region), 0.03 * volumeOfRegion(region));
 
   // It runs down the torso, so that the middles of its axial slices lie on it, too. Each is known to some tenths of a
-  // voxel of 3 mm; the length along them depends by one percent on how they are smoothed, and is no better known.
+  // voxel of 3 mm, so that a path through them is a little longer than the aorta: half a percent, which lengths of
+  // paths may be off, holds nevertheless.
   std::vector<glm::dvec3> middles;
   for (int z = 0; z < region.grid.dims.z; ++z) {
     glm::dvec3 sum(0.0);
@@ -221,7 +222,7 @@ TEST(CentreLine, OfTheAortaAgreesWithItsVolumeAndItsSlices) {
   }
   double length = region.grid.spacing.z;  // half a voxel at both ends
   for (std::size_t i = 1; i < middles.size(); ++i) length += glm::distance(middles[i - 1], middles[i]);
-  EXPECT_NEAR(curve.length(), length, 0.01 * length);
+  EXPECT_NEAR(curve.length(), length, 0.005 * length);
   for (std::size_t i = 3; i + 3 < middles.size(); ++i) {
     double nearest = 1e9;
     for (double mm = 0.0; mm < curve.length(); mm += 0.5)
