@@ -52,8 +52,11 @@ StatusBar::StatusBar(const Document& document, const ViewOptions& options, const
   connect(&options, &ViewOptions::changed, convention, nameConvention);
   nameConvention();
 
-  // Of a long message, a narrow window shows the beginning alone.
-  connect(this, &QStatusBar::messageChanged, this, &QWidget::setToolTip);
+  // A long message has the room of what the slices say, too, and of one that is longer still the tooltip has the end.
+  connect(this, &QStatusBar::messageChanged, this, [this, convention](const QString& message) {
+    convention->setVisible(message.isEmpty());
+    setToolTip(message);
+  });
   connect(&document, &Document::volumeChanged, this, [this] {
     pointer_->clear();
     frame_->clear();
