@@ -31,16 +31,16 @@ constexpr double tubeHandicap = 0.4, shortHandicap = 2.0, unseenHandicap = 4.0;
 constexpr double longTube = 7.0;   ///< diameters
 constexpr double seenWall = 0.85;  ///< Tube::support
 
-// Of the clarity: a walk's region must be clearer than the other one by the first, and by the second for each unit of
-// the other's clarity, so that what is hardly clear gives way sooner; and by the others the less of its surface is
-// seen, and the less of the body the other region is. A piece of an organ has a border on some sides alone, and what is
-// much of the body is more often a leak.
+// A walk's region must be clearer than the other region by walkHandicap, and by clearHandicap for each unit of the
+// other's clarity: what is hardly clear gives way sooner. Its clarity falls by unseenWalkHandicap for the part of its
+// surface across which no difference is seen, because a piece of an organ has a border on some sides alone. Where the
+// other region is much of the body, which is more often a leak, the lead that is wanted shrinks by muchHandicap.
 constexpr double walkHandicap = 0.55, clearHandicap = 0.5, unseenWalkHandicap = 4.0, muchHandicap = 0.4;
 constexpr double leastWalkClarity = -0.6;    ///< with less it is no region
 constexpr double greatestWalkClarity = 0.8;  ///< of nearly all walks: beside what is clearer, none is tried
 constexpr double seenSurface = 0.85;         ///< WalkRegion::support
 constexpr double muchShare = 1.0 / 3.0;      ///< of StructurePrior::most
-// As in Curve.cpp.
+// Weights of sharpness and compactness, as in Curve.cpp.
 constexpr double walkSharpness = 0.7, walkCompactness = 0.9;
 
 double clarityOf(const WalkRegion& walk) {

@@ -68,6 +68,7 @@ class Competition {
   /// The noise in the units that bones are found in.
   Noise boneNoise(const Noise& noise) const;
   /// What a walk from a region's seed hardly leaves, where it is clearer than `other`, the region's clearest step.
+  /// None beside bones and tubes, in a ball, and in Hounsfield units.
   std::optional<WalkRegion> clearerWalk(const FirstRegion& region, const StructurePrior& prior,
                                         const std::optional<ClearestStep>& other) const;
   /// Takes from a bone what its rim holds less than half of.

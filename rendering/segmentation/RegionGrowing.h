@@ -10,14 +10,15 @@
 // By tissues: the volume's tissues are found first, and merged two by two (TissueTree.h). A voxel joins at the cost of
 // the first merge that holds it and the seed. In a CT the bone at the seed competes, too, parted from its neighbours at
 // the joints (BoneTree.h), but not in volumes that are very large. So does the tube at the seed, a vessel that no
-// border parts from what it touches (TubeTracer.h), and what a random walk from the seed hardly leaves, where borders
-// have gaps (RandomWalk.h). A bone ends where a voxel holds less than half of it (BoneRim.h). Of all regions of the
-// first seed, by values, by tissues, as a bone, as a tube and by the walk, the clearest one is chosen (Competition.h);
-// one that is more of the body than a structure is only where nothing else is clear. A further seed adds its own
-// clearest region at the same tolerance, and no larger one than its distance from the region lets expect. Seeds outside
-// cut off their part of the chosen region (RegionCut.h), and no tolerance reaches them. Where the region may have
-// leaked, and no shape parts a seed outside from the first one, the clearest region without that seed takes its place
-// (Corrections.h). Further seeds of a walk's region are further ends of the walk.
+// border parts from what it touches (TubeTracer.h). Where values are no Hounsfield units, what a random walk
+// from the seed hardly leaves competes as well, because the borders of MR have gaps (RandomWalk.h). A bone ends where a
+// voxel holds less than half of it (BoneRim.h). Of all regions of the first seed, by values, by tissues, as a bone, as
+// a tube and by the walk, the clearest one is chosen (Competition.h); one that is more of the body than a structure is
+// only where nothing else is clear. A further seed adds its own clearest region at the same tolerance, and no larger
+// one than its distance from the region lets expect. Seeds outside cut off their part of the chosen region
+// (RegionCut.h), and no tolerance reaches them. Where the region may have leaked, and no shape parts a seed outside
+// from the first one, the clearest region without that seed takes its place (Corrections.h). Further seeds of a walk's
+// region are further ends of the walk.
 
 #include <functional>
 #include <memory>

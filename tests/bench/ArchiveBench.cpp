@@ -188,5 +188,6 @@ int main(int argc, char** argv) {
     std::cerr << "usage: archive-bench FOLDER [ROUNDS]; the folder is for 2 GB of files, and new\n";
     return 2;
   }
-  return fenestra::run(argv[1], argc > 2 ? std::atoi(argv[2]) : 5);
+  // Servers run in folders of their own.
+  return fenestra::run(std::filesystem::absolute(argv[1]), argc > 2 ? std::atoi(argv[2]) : 5);
 }

@@ -100,5 +100,21 @@ TEST(RandomWalk, IsWhatAClickInAThalamusOpens) {
   EXPECT_LT(ml, 13.0);
 }
 
+/// The same voxels, said to be of a CT.
+TEST(RandomWalk, DoesNotCompeteInHounsfieldUnits) {
+  FENESTRA_TEST_DATA_OR_SKIP(brain, "labelled/brain-colin27/ch2.nii.gz");
+  const auto mr = io::openVolume(brain).volume;
+  // Some values of a CT lie below zero.
+  const auto ct = volumeOf<float>(mr->grid, [&](glm::ivec3 at) { return mr->value(at) - 1.0; });
+  ct->modality = Modality::CT;
+  ct->unit = "HU";
+  ASSERT_TRUE(ct->isInHounsfieldUnits());
+  const RegionFocus click{{{11.0, 18.0, 8.0}}, {}, {}, {}, RegionRule::Tissues};
+  const GrowthMemory memory;
+  ASSERT_TRUE(growRegion(*ct, click, wholeOf(ct->grid.dims), {}, memory));
+  EXPECT_FALSE(memory.first()->isWalk);
+  EXPECT_FALSE(memory.first()->isBone || memory.first()->isTube) << "beside these there is none in any unit";
+}
+
 }  // namespace
 }  // namespace fenestra::segmentation::randomWalkTest
