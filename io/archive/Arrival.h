@@ -14,8 +14,8 @@ struct ArrivedObject {
   std::filesystem::path file;  ///< once the series is whole, at the same name in the folder without ".part"
   int number = 0;              ///< Instance Number (PS3.3 C.7.6.1); 0 where the server tells none
   std::size_t total = 0;       ///< objects of the series
-  /// Of an object that is still on its way: `file` is this frame of it alone, of so many, and is gone once the object
-  /// is here, which is told then. 0: the object itself is here.
+  /// Where the object is still on its way, `file` holds frame `frame` of its `frames`; it is deleted before the object
+  /// itself is told. 0: the object itself is here.
   int frame = 0, frames = 0;
 };
 /// Called for one object after the other, on the threads that receive them; returns at once.

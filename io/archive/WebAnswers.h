@@ -34,7 +34,7 @@ struct FrameHeader {
   std::string photometric, modality;
   std::vector<Value> meaning;  ///< spacing, window and rescaling, those that are there
 
-  /// Of the frame without compression: one sample a pixel, each in whole bytes.
+  /// Size of the frame without compression: one sample a pixel, each in whole bytes.
   std::uint64_t bytes() const;
 };
 /// That of frame `number`, the first one being 1, out of an object's metadata. Empty where the text has another form,

@@ -16,7 +16,7 @@ struct FramePlace {
   int number = 1;                     ///< of the frame; the first one is 1
 };
 
-/// Of one frame: a slice of 4096×4096 samples of 32 bits.
+/// The largest frame asked for: a slice of 4096×4096 samples of 32 bits.
 constexpr std::uint64_t mostFrameBytes = 64u << 20;
 
 /// The frame as a DICOM image of its own, without anything of the patient, in `file`. False where the server gives no

@@ -18,7 +18,7 @@ std::string refusalOf(DcmFileFormat& object);
 class Findings {
  public:
   void leaveOut(const std::string& reason, const std::vector<std::filesystem::path>& files);
-  /// Of an object as it was read; `facesGo`: Options::removeFace.
+  /// Notes what an object holds, as it was read; `facesGo`: Options::removeFace.
   void notice(DcmItem& object, const std::filesystem::path& file, bool facesGo);
 
   std::size_t leftOut() const;

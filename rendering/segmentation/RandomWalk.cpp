@@ -17,7 +17,7 @@ namespace {
 constexpr double seedBall = 2.0;       ///< mm
 constexpr double sphereRadius = 32.0;  ///< mm
 constexpr double cellSide = 1.0;       ///< mm: finer voxels are taken together
-/// Of the noise's unit: with less noise, smaller differences are none.
+/// The least deviation, as a share of the noise's unit: a scan with less noise has no smaller differences.
 constexpr double leastNoise = 0.25;
 /// Deviations of the noise: a step is as likely as the inverse square of the difference, where that is more.
 constexpr double leastStep = 0.05;
@@ -195,7 +195,7 @@ Level walkLevel(float probability) {
   return level < levelCount ? static_cast<Level>(level) : never;
 }
 
-/// Of the level sets, by level: mm³, mm², and mm² times deviations of the noise.
+/// Sums over each level set, by level: mm³, mm², and mm² times deviations of the noise.
 struct WalkSums {
   std::array<double, 256> volume{}, area{}, difference{}, seen{};
 

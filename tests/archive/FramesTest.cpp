@@ -37,7 +37,7 @@ std::vector<double> valuesAt(const fs::path& object, int frame) {
   return values;
 }
 
-/// Of an object of 3 frames with 2×4 samples of 16 bits.
+/// An object with 3 frames of 2×4 samples of 16 bits.
 const std::string metadata = R"([{"00080060": {"vr": "CS", "Value": ["MR"]}, "00280002": {"vr": "US", "Value": [1]},
   "00280004": {"vr": "CS", "Value": ["MONOCHROME2"]}, "00280008": {"vr": "IS", "Value": [3]},
   "00280010": {"vr": "US", "Value": [2]}, "00280011": {"vr": "US", "Value": [4]},
@@ -86,7 +86,7 @@ TEST(ArchiveFrames, TheMiddleOneIsHereWhileTheObjectIsOnItsWay) {
   ASSERT_TRUE(running) << readFile(folder / "server/log");
   const MadeFrames made = makeFrames(folder / "made", "1.2.3.76", 60);
   archive::send(serverAt(running->web), {made.file});
-  // Of each connection as much passes as a frame needs, but not the object.
+  // Each connection lets through as much as a frame needs, but less than the object.
   const Proxy proxy(std::stoi(running->web.substr(running->web.rfind(':') + 1)), {.after = 200'000, .stalls = true});
   archive::WebServer server = serverAt("http://127.0.0.1:" + std::to_string(proxy.port()) + "/dicom-web");
   const archive::Cache cache(folder / "cache");

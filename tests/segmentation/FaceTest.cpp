@@ -56,7 +56,7 @@ TEST(Face, IsFoundWhateverTheOrderOfTheVoxels) {
   const auto volume = madeHead(Modality::MR);
   const FaceSearch straight = findFace(*volume);
   ASSERT_TRUE(straight.isFound) << straight.reason;
-  // The same lattice from its other end: each axis runs backwards.
+  // Each axis runs backwards, so that the lattice begins at its other end.
   Grid& grid = volume->grid;
   const auto voxels = volume->voxels.as<std::int16_t>();
   std::reverse(voxels.begin(), voxels.end());
@@ -64,7 +64,7 @@ TEST(Face, IsFoundWhateverTheOrderOfTheVoxels) {
   grid.direction = -grid.direction;
   const FaceSearch backwards = findFace(*volume);
   ASSERT_TRUE(backwards.isFound) << backwards.reason;
-  // The same cells see the same voxels, but where a cell lies half way between two.
+  // Cells see the voxels that they saw, but where one lies half way between two.
   EXPECT_NEAR(backwards.region.offset, straight.region.offset, 1.0);
   EXPECT_NEAR(backwards.region.lowest, straight.region.lowest, 6.0);  // two cells
 }

@@ -100,7 +100,7 @@ TEST(RandomWalk, IsWhatAClickInAThalamusOpens) {
   EXPECT_LT(ml, 13.0);
 }
 
-/// The same voxels, said to be of a CT.
+/// The click above, in voxels that are said to be of a CT.
 TEST(RandomWalk, DoesNotCompeteInHounsfieldUnits) {
   FENESTRA_TEST_DATA_OR_SKIP(brain, "labelled/brain-colin27/ch2.nii.gz");
   const auto mr = io::openVolume(brain).volume;

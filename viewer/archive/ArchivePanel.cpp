@@ -59,7 +59,7 @@ class NameRoom : public QObject {
 
  private:
   void fit() {
-    // Of a series, "12: T2 FLAIR…", whose picture only rows that differ in height have.
+    // A series is at this depth and called "12: T2 FLAIR…". Only rows that differ in height have a picture.
     constexpr int depth = 3, letters = 16;
     const int picture = view_.uniformRowHeights() ? 0 : view_.iconSize().width();
     const int least = depth * view_.indentation() + picture + letters * view_.fontMetrics().averageCharWidth();
