@@ -88,7 +88,7 @@ class Parser {
   }
 
  private:
-  /// Of the material that an opacity is that of, mm.
+  /// Thickness of the material that an opacity belongs to, mm.
   double thicknessOf(const Json& entry, double voxel, const std::string& where) const {
     const auto per = entry.find("per");
     if (per == entry.end() || *per == "mm") return 1.0;

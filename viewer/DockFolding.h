@@ -27,7 +27,8 @@ class DockFolding : public QObject {
   bool isFoldedByUser(const QDockWidget& dock) const;
   /// Folds a dock, and those behind and before it, for the user.
   void setFolded(QDockWidget& dock, bool folded);
-  /// The same for want of room; neither opened() nor changed() follows. Those that the user folded stay so.
+  /// Folds or unfolds a dock for want of room; neither opened() nor changed() follows. Those that the user folded stay
+  /// so.
   void setCrowded(QDockWidget& dock, bool crowded);
   /// Names of the objects of the docks that the user has folded; others are ignored.
   QStringList folded() const;

@@ -200,7 +200,7 @@ class Transfer {
     return response.DimseStatus;
   }
 
-  /// Of warnings, what is missing is told by what came.
+  /// Whether this answer ends the retrieval. After a warning, what came tells what is missing.
   bool isLast(unsigned status) {
     if (DICOM_PENDING_STATUS(status)) return false;
     const bool warns = status >> 12 == 0xb;

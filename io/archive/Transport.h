@@ -14,7 +14,7 @@
 
 namespace fenestra::io::archive {
 
-/// Of one network of DCMTK. `watch` must outlive its connections.
+/// The transport layer of one network of DCMTK. `watch` must outlive its connections.
 class WatchedLayer : public DcmTransportLayer {
  public:
   /// With `tls`, of a requestor or an acceptor. Throws Error when its files cannot be used.

@@ -16,7 +16,7 @@
 namespace fenestra::io::archive {
 namespace {
 
-/// Of one picture: a screen's worth of pixels as PNG.
+/// Limit for one picture: a screen's worth of pixels as PNG.
 constexpr std::uint64_t mostPictureBytes = 8u << 20;
 
 /// The objects of the series at `path` that match, or none where the server answers with a failure.

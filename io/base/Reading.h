@@ -166,8 +166,8 @@ struct VolumeInfo {
   std::vector<SegmentationInfo> segmentations;  ///< of the series, among the files that were opened with it
   std::optional<Modality> modality;             ///< told by OpenOptions or recognised; unset: the file's own
   std::optional<GeometryReport> geometry;  ///< of a series whose slices do not lie straight behind each other, evenly
-  /// Of a DICOM series outside archives, in the order of the volume's third axis; each is the plane of its number
-  /// unless `geometry` says that planes were interpolated between slices. Otherwise empty.
+  /// Sources of a DICOM series outside archives, in the order of the volume's third axis; each is the plane of its
+  /// number unless `geometry` says that planes were interpolated between slices. Otherwise empty.
   std::vector<SliceSource> slices;
 };
 

@@ -9,7 +9,7 @@ namespace {
 struct KnownUnit {
   const char *name, *code, *meaning;
 };
-/// Of CID 7181; "name" is what Volume::unit says.
+/// Units of CID 7181; "name" is what Volume::unit says.
 constexpr std::array<KnownUnit, 8> knownUnits{{{"HU", "[hnsf'U]", "Hounsfield Unit"},
                                                {"Gy", "Gy", "Gy"},
                                                {"Bq/ml", "Bq/ml", "Becquerels/milliliter"},

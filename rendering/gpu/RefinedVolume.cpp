@@ -33,7 +33,7 @@ class RowBends {
     for (std::vector<Wide>& bends : greatest_) bends.resize(static_cast<std::size_t>(grid.dims.x));
   }
 
-  /// Of the bricks at y and z.
+  /// Finds the greatest bends of the row of bricks at y and z.
   void look(int y, int z) {
     for (std::vector<Wide>& bends : greatest_) std::fill(bends.begin(), bends.end(), Wide{0});
     const glm::ivec3 dims = grid_.dims;

@@ -6,7 +6,7 @@
 namespace fenestra::reformat {
 namespace {
 
-/// Of each piece between two points. A chord of 1/32 of a quarter circle is shorter than its arc by 1e-4.
+/// Chords of each piece between two points. A chord of 1/32 of a quarter circle is shorter than its arc by 1e-4.
 constexpr int stepsPerPiece = 32;
 
 /// The point at `t`, 0 to 1 from b to c, by the pyramid of Barry and Goldman. Knots are the square roots of distances.

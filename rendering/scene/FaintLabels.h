@@ -23,7 +23,7 @@ struct FaintLabels {
   static constexpr std::size_t most = 127;
 
   bool any() const { return !numbers.empty(); }
-  /// Of a number; 1 for 0, which is no label listed here.
+  /// The opacity of the label of that number; 1 for 0, which is no label listed here.
   double opacityOf(std::size_t number) const { return number == 0 ? 1.0 : opacities[number - 1]; }
   /// Those numbers per label value, 65536 elements; 0 for labels that are not listed.
   std::vector<std::uint8_t> numberOfLabel() const;

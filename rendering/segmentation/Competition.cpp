@@ -18,15 +18,16 @@ namespace {
 
 // Chosen on the marked structures of tests/bench/results/growing.md.
 constexpr double tissuesHandicap = 0.25;  ///< of the clarity: a region by tissues must be clearer by this much
-/// Of the clarity: bones are as thin within as at their joints in places, so that a part of one may be clearer than
-/// all.
+/// A part of a bone must be clearer than the whole bone by this much: some bones are as thin within as at their joints,
+/// so that a part may be clearer.
 constexpr double boneHandicap = 0.5;
 constexpr double marrowShare = 0.9;    ///< of a region that lies in a bone
 constexpr double leastOfBorder = 1.0;  ///< deviations of the noise, of a border
 constexpr double loudNoise = 2.0;      ///< differences that the eye tells apart
 
-// Of the clarity: a tube must be clearer than what is not bound to a shape by the first, and by the others the shorter
-// it is and the less of its wall is seen. An organ holds short tubes whose walls are partly its own.
+// A tube must be clearer than a region that is not bound to a shape by the first of these; by the second the more the
+// shorter it is, and by the third the more the less of its wall is seen. An organ holds short tubes whose walls are
+// partly its own.
 constexpr double tubeHandicap = 0.4, shortHandicap = 2.0, unseenHandicap = 4.0;
 constexpr double longTube = 7.0;   ///< diameters
 constexpr double seenWall = 0.85;  ///< Tube::support

@@ -55,7 +55,7 @@ class Competition {
 
   StructurePrior priorOf(const FirstRegion& region) const;
   GrowthCurve curveOf(const std::vector<Level>& joins, std::span<const Level> costs, const Noise& noise) const;
-  /// Of a region that `first` has become: by its own costs, and a bone's by how dense its voxels are.
+  /// The curve of a region that `first` has become: by its own costs, and a bone's by how dense its voxels are.
   GrowthCurve curveOf(const std::vector<Level>& joins, const FirstRegion& first) const;
   double bodyVolume() const { return tissues_.bodyVolume(); }  ///< mm³
 

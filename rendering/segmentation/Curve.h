@@ -47,7 +47,8 @@ struct StructurePrior {
   double contrast = 0.0;                                      ///< noise units: a surface with less is no border
   double smallerHandicap = 0.0;  ///< a smaller region must be clearer than a larger one by this much
 };
-/// Of a body of `body` mm³. A region of gas may be larger: lungs take up most of what a scan of the chest shows.
+/// What is expected of a structure in a body of `body` mm³. A region of gas may be larger than others: lungs take up
+/// most of what a scan of the chest shows.
 StructurePrior structurePrior(double body, bool isGas);
 
 struct ClearestStep {

@@ -8,9 +8,9 @@
 
 namespace fenestra::segmentation {
 
-/// Of a CT in other units than Hounsfield's: stored values with 1024 added, or else hounsfieldGuess(), where a volume
-/// of unknown modality must hold compact bone, too. Empty where the volume is in Hounsfield units or is no CT. Reads
-/// some million voxels.
+/// The scale of a CT in other units than Hounsfield's: stored values with 1024 added, or else hounsfieldGuess(), where
+/// a volume of unknown modality must hold compact bone, too. Empty where the volume is in Hounsfield units or is no CT.
+/// Reads some million voxels.
 std::optional<HounsfieldScale> hounsfieldScaleOf(const Volume& volume);
 
 }  // namespace fenestra::segmentation

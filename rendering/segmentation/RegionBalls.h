@@ -21,7 +21,7 @@ struct HeldBall {
   double depth = 0.0;
 };
 
-/// Of the voxels with `joins` < `step`. No ball is larger than 25 mm or 40 sides of a voxel.
+/// The largest balls that the voxels with `joins` < `step` hold. No ball is larger than 25 mm or 40 sides of a voxel.
 class RegionBalls {
  public:
   /// `joins` are of the grid's voxels, and outlive this.
@@ -39,7 +39,7 @@ class RegionBalls {
   bool means(const HeldBall& outside, const HeldBall& inside, const HeldBall& body) const;
 
   double voxelSide() const { return side_; }  ///< mm
-  /// Of the largest ball, the nearest first.
+  /// The voxels of the largest ball, the nearest first.
   const std::vector<BallOffset>& offsets() const { return offsets_; }
 
  private:

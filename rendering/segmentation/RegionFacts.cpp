@@ -22,7 +22,8 @@ constexpr double strongEdge = 2.0, weakEdge = 0.75;  ///< noise units, averaged 
 /// A region that is less compact is ragged, as leaks are; with a strong enough edge it may still be a long bone.
 constexpr double leastCompact = 0.25, raggedEdge = 3.0;
 constexpr double leakGrowth = 1.5;  ///< a region that grows by this factor in one step of its curve leaks there
-/// Of the radius of the ball of what joins: a middle that is nearer to the region's lies on no side of it.
+/// Share of the radius of a ball of the volume of what joins. Where the middle of what joins lies nearer than this to
+/// the region's middle, the leak has no direction to be named.
 constexpr double leastOffset = 0.35;
 
 /// Steps around a region's own, itself not counted: one that fewer steps hold is passed by, and no structure. What is

@@ -54,7 +54,7 @@ class GrowthFacts {
     glm::dvec3 place{0.0};                           ///< sum of index positions
     void add(const Sums& other);
   };
-  /// Of steps (after, upTo].
+  /// The sums over the voxels that join in steps (after, upTo].
   Sums between(int after, int upTo) const;
   std::optional<RegionFacts::Leak> leakAfter(const Growth& growth, int step) const;
 

@@ -16,7 +16,7 @@ namespace {
 // of 0.25 a vertebra 0.27; organs hardly change.
 constexpr double smallVolume = 2000.0;  ///< mm³: what is smaller merges at a lower cost
 constexpr double sharePower = 0.35;
-/// Of a difference over three faces, as that of a blurred edge.
+/// Weight of a difference over three faces, as a blurred edge has it, beside one over a single face.
 constexpr float acrossShare = 0.7f;
 
 /// How far two tissues differ at their border and as a whole, units of the noise.
@@ -73,7 +73,7 @@ class Merger {
   }
 
  private:
-  /// Of a tissue: links 2 i and 2 i + 1 are of contact i, one for each of its tissues.
+  /// A tissue's contacts. Links 2 i and 2 i + 1 belong to contact i, one to each of its two tissues.
   struct List {
     std::uint32_t first = none, last = none;
     std::uint32_t count = 0;  ///< contacts; those that are part of another one do not count

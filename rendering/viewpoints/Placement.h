@@ -73,7 +73,7 @@ std::vector<bool> admitted(const std::vector<Candidate>& candidates, const Optio
 
 /// Index of the admitted candidate of greatest worth; ties go to the lowest. Empty when no candidate sees the focus.
 std::optional<std::size_t> bestView(const std::vector<Candidate>& candidates, const Options& options);
-/// The same among the candidates in c1's region.
+/// Index of the best candidate, as bestView() has it, among those in c1's region.
 std::optional<std::size_t> dualView(const std::vector<Candidate>& candidates, glm::dvec3 c1, const Options& options);
 
 /// Share of the surface points that at least one of two candidates sees.

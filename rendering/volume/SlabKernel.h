@@ -37,7 +37,7 @@ struct LineWalk {
   const SlabBox& box;
   const T* voxels = static_cast<const T*>(box.voxels);
   Real along[3], perVoxel[3];  ///< voxels a mm, and mm a voxel; 0 where the lines do not follow the axis
-  // Of the lines of this batch, within this piece:
+  // What follows is kept for each line of this batch, within this piece:
   Numbers fraction[3] = {};  ///< position at the start, counted from the first cell
   Numbers crossing[3] = {};  ///< mm from the start to the next crossing into the neighbour along each axis
   Numbers length = {};       ///< mm

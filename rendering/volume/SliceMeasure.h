@@ -20,7 +20,7 @@ struct Measure {
   /// sides run along `right` and `down`. Arrow: its tip, and its end, where the text stands. Text: where it begins.
   std::vector<glm::dvec3> points;
   glm::dvec3 right{1.0, 0.0, 0.0}, down{0.0, 1.0, 0.0};
-  /// Of a mark, UTF-8 on one line, at most longestText bytes; of a Text it is not empty.
+  /// A mark's words, UTF-8 on one line, at most longestText bytes; those of a Text are not empty.
   std::string text = {};
   static constexpr std::size_t longestText = 400;
 

@@ -74,7 +74,7 @@ class Listener {
   std::thread thread_;
 };
 
-/// Of dcmqrscp with one study, and what each test does with it.
+/// A server, dcmqrscp with one study, and what each test does with it.
 class ArchiveFaults : public ::testing::Test {
  protected:
   /// The first test starts the server for all.

@@ -92,7 +92,7 @@ Click clickAt(const LabelledVolume& data, const Mask& truth, std::size_t seed, s
   return {diceOf(region, truth), different / std::max(1.0, size)};
 }
 
-/// Of structures in one variant.
+/// Medians of the structures in one variant.
 struct Medians {
   std::vector<double> dice, change;
   void add(double ofDice, double ofChange) {

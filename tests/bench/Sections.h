@@ -16,7 +16,7 @@ Section sweepSection(const Options& options, const TruthStore& truths);
 Section looksSection(const Options& options, const TruthStore& truths);
 /// Error and time under random transfer functions.
 Section randomSection(const Options& options, const TruthStore& truths);
-/// The same under steep functions, unlit, of coarse volumes in larger pictures.
+/// Error and time under steep functions, unlit, of coarse volumes in larger pictures.
 Section steepSection(const Options& options, const TruthStore& truths);
 /// Each stage's error in its own unit.
 Section stageSection(const Options& options, const TruthStore& truths);

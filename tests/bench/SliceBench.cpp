@@ -35,7 +35,7 @@ struct Times {
   double processor = 0.0;  ///< ms of all cores, least
 };
 
-/// Of nine runs, each of another slice, so that no voxels are at hand from the run before.
+/// Medians of nine runs, each of another slice, so that no voxels are at hand from the run before.
 template <class F>
 Times timed(F&& slice) {
   std::vector<double> walls, processors;

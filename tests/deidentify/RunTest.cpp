@@ -82,7 +82,7 @@ fs::path patientSeries(const fs::path& folder, Syntax syntax = Syntax::ExplicitL
   return made;
 }
 
-/// Of one rectangle on the second slice of the series.
+/// A structure set of one rectangle on the second slice of the series.
 RtSpec structureSet(const std::string& name) {
   ContourSpec contour;
   contour.points = rectangle(-15, 15, -5, 25, 2.5);
@@ -123,7 +123,7 @@ std::map<std::string, std::string> pixelsIn(const fs::path& folder) {
       continue;
     }
     const std::string bytes = readFile(file);
-    // Of undefined length: up to the delimiter of the sequence of fragments.
+    // Encapsulated pixels have no length: they end at the delimiter of the sequence of fragments.
     const std::string end("\xfe\xff\xdd\xe0\0\0\0\0", 8);
     const std::size_t length = at->encapsulated ? bytes.find(end, at->offset) - at->offset : at->length;
     pixels[place] = bytes.substr(at->offset, length);

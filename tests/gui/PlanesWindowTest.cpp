@@ -41,7 +41,7 @@ class PlanesWindow : public Window {
     const QPointF to = centre + QTransform().rotate(degrees).map(from - centre);
     drag(view, from.toPoint(), to.toPoint(), Qt::LeftButton, modifiers);
   }
-  /// Of a slice's picture where a world point shows, 0…255, without marks and tints.
+  /// Grey of a slice's picture where a world point shows, 0…255, without marks and tints.
   int grey(SliceView* view, glm::dvec3 world) {
     options().setLabels(false);
     QImage image(view->size(), QImage::Format_RGB32);
@@ -49,7 +49,7 @@ class PlanesWindow : public Window {
     view->draw(painter, false);
     return qRed(image.pixel(view->widgetFromWorld(world).toPoint()));
   }
-  /// Of a value under the window, 0…255.
+  /// Grey of a value under the window, 0…255.
   double greyOf(double value) {
     const WindowLevel window = document().window();
     return std::clamp((value - window.level) / window.width + 0.5, 0.0, 1.0) * 255.0;

@@ -131,7 +131,7 @@ class ReformatWindow : public Conventions {
     EXPECT_FALSE(options().followsPath());
   }
   void expectNeighboursGoAlong(double z) {
-    // Of a line of many points, those near to the one that is dragged go along.
+    // In a line of many points, those near to the one that is dragged go along.
     std::vector<glm::dvec3> line;
     for (int x = -20; x <= 20; x += 2) line.push_back({x, 0, z});
     path().movePoint(line, 10, {0, 8, 0});

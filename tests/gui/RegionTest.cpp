@@ -236,7 +236,7 @@ TEST_F(Regions, TheFocusBeforeStaysWholeUntilTheRegionIs) {
   QObject::disconnect(watch);
   EXPECT_TRUE(hadPart) << "for the slices' outline";
   EXPECT_NEAR(shownVolume(), ball, 0.05 * ball);
-  // The same from region to region.
+  // From one region to the next, too.
   click(right);
   EXPECT_NEAR(shownVolume(), ball, 0.05 * ball);
   EXPECT_FALSE(document_.showsGrowth());

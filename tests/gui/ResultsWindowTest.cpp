@@ -82,7 +82,7 @@ class ResultsWindow : public ArchiveWindow {
     return names;
   }
   static ResultObject read(const fs::path& file) { return io::report::readResult(file).value(); }
-  /// Of a study with a range of values in focus and two key images, each kind of result but the archive's.
+  /// Writes each kind of result but the archive's, of a study with a range of values in focus and two key images.
   void writeEachKind(const fs::path& folder) {
     openStudy();
     document().setFocus(ValueFocus{{200.0, 1100.0}, 0.0});

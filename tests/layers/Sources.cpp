@@ -82,16 +82,22 @@ std::string readSource(const std::string& path) {
   return {std::istreambuf_iterator<char>(stream), {}};
 }
 
+std::vector<SourceFile> sourcesBelow(const std::string& folder, const std::vector<std::string_view>& endings) {
+  std::vector<SourceFile> files;
+  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(checkout / folder)) {
+    const std::string path = entry.path().lexically_relative(checkout).generic_string();
+    const bool wanted =
+        std::any_of(endings.begin(), endings.end(), [&](auto ending) { return path.ends_with(ending); });
+    if (wanted && entry.is_regular_file()) files.push_back({path, readSource(path)});
+  }
+  std::sort(files.begin(), files.end(), [](const auto& a, const auto& b) { return a.path < b.path; });
+  return files;
+}
+
 std::vector<SourceFile> productSources(const std::vector<std::string_view>& endings) {
   std::vector<SourceFile> files;
   for (const char* folder : {"app", "io", "rendering", "resources", "viewer"})
-    for (const fs::directory_entry& entry : fs::recursive_directory_iterator(checkout / folder)) {
-      const std::string path = entry.path().lexically_relative(checkout).generic_string();
-      const bool wanted =
-          std::any_of(endings.begin(), endings.end(), [&](auto ending) { return path.ends_with(ending); });
-      if (wanted && entry.is_regular_file()) files.push_back({path, readSource(path)});
-    }
-  std::sort(files.begin(), files.end(), [](const auto& a, const auto& b) { return a.path < b.path; });
+    std::ranges::move(sourcesBelow(folder, endings), std::back_inserter(files));
   return files;
 }
 

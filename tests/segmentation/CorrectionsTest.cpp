@@ -60,7 +60,7 @@ bool inRight(glm::ivec3 at) { return inBody(at) && at.x >= 28; }
 
 const glm::ivec3 clicked(17, 20, 20);
 
-/// Of a click in the left tissue whose region leaks into the right one, after a seed outside at `outside`.
+/// The region of a click in the left tissue that leaks into the right one, after a seed outside at `outside`.
 template <class IsIn>
 CorrectedRegion correctedByOneOutside(glm::ivec3 outside, IsIn isIn) {
   const auto volume = noisy(twoTissues, [](glm::ivec3 at) { return inLeft(at) ? 50.0 : inBody(at) ? 110.0 : 0.0; });

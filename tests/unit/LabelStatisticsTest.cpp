@@ -51,7 +51,7 @@ struct Random {
   }
 };
 
-/// The same by two passes in extended precision, voxel by voxel.
+/// Statistics by two passes in extended precision, voxel by voxel.
 struct Expected {
   std::size_t voxels = 0;
   std::vector<long double> values;

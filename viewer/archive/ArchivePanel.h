@@ -51,7 +51,7 @@ class ArchivePanel : public QWidget {
   /// What the panel says of the last search or test.
   QString status() const;
   bool isBusy() const { return job_.isRunning() || seriesJob_.isRunning(); }
-  /// Of the server that is chosen; null: there is none.
+  /// The entry of the server that is chosen; null: there is none.
   const ServerEntry* server() const;
 
  Q_SIGNALS:

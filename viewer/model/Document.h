@@ -85,9 +85,9 @@ class Document : public QObject, private DocumentParts {
   /// Why a region is hardly what was meant: it is too large a share of the body (segmentation::largeShareOfBody), or
   /// its border is doubtful.
   enum class Doubt : std::uint8_t { Share, Border };
-  /// Of a whole region that the user has not said to open to. A border is doubted only while the program chooses the
-  /// tolerance and no ball bounds the region, and what corrects a region that shows is not doubted again unless it
-  /// grows.
+  /// What is doubtful about a whole region that the user has not said to open to. A border is doubted only while the
+  /// program chooses the tolerance and no ball bounds the region, and what corrects a region that shows is not doubted
+  /// again unless it grows.
   std::optional<Doubt> doubt() const;
   /// Whether the pictures wait for an answer because of doubt().
   bool asksToOpen() const { return doubt().has_value(); }

@@ -97,7 +97,7 @@ void KeyImagesPanel::fill() {
     item->setFlags(item->flags() | Qt::ItemIsEditable);
     item->setToolTip(item->text());
     const QImage picture = KeyImages::pictureOf(image);
-    // The same for all, so that names stand in a column.
+    // All icons have one size, so that names stand in a column.
     QPixmap icon(keyIconSize * devicePixelRatio());
     icon.setDevicePixelRatio(devicePixelRatio());
     icon.fill(Qt::transparent);

@@ -49,7 +49,7 @@ class SliceView : public QWidget {
   ~SliceView() override;
 
   SlicePlane plane() const { return geometry_.plane; }
-  /// Of all slices along the plane's normal, in whole pictures of at least the volume's voxels.
+  /// All slices along the plane's normal: where they lie, and their pictures' size of at least the volume's voxels.
   const SliceGeometry& sliceGeometry() const { return geometry_; }
   int slice() const { return slice_; }
   const MeasureTool& measureTool() const { return measureTool_; }
