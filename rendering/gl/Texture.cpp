@@ -1,5 +1,6 @@
 #include "rendering/gl/Texture.h"
 
+#include <bit>
 #include <cassert>
 #include <string>
 #include <utility>
@@ -78,6 +79,12 @@ struct TightRows {
 }  // namespace
 
 unsigned internalFormat(Format format) { return traits(format).internal; }
+
+glm::ivec2 withoutPowersOfTwo(glm::ivec2 size) {
+  for (int* side : {&size.x, &size.y})
+    while (std::has_single_bit(static_cast<unsigned>(*side))) ++*side;
+  return size;
+}
 
 std::size_t bytesPerTexel(Format format) { return traits(format).bytes; }
 

@@ -25,6 +25,10 @@ unsigned internalFormat(Format format);
 
 enum class Filter : std::uint8_t { Nearest, Linear };  ///< clamped to the edge in either case
 
+/// A size with sides that are no powers of two, the least that is as large as `size`. llvmpipe compiles a program anew
+/// for textures of which another side is a power of two; those whose size nobody sees have one kind of sides this way.
+glm::ivec2 withoutPowersOfTwo(glm::ivec2 size);
+
 /// Access of a compute shader to an image unit.
 enum class Access : std::uint8_t { Read, Write, ReadWrite };
 

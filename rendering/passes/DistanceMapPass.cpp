@@ -6,8 +6,9 @@ void DistanceMapPass::run(Steps& steps, Schedule schedule, const gl::Texture& hi
                           gl::Texture& distances, const gl::Texture* starts) {
   const glm::ivec2 size(hitPoints.size());
   if (!rows_ || glm::ivec2(rows_.size()) != size) {
-    mask_ = gl::Texture::make2D(gl::Format::R32UI, {(size.x + 31) / 32, size.y});
-    tiles_ = gl::Texture::make2D(gl::Format::R8UI, (size + 31) / 32);
+    const glm::ivec2 tiles = gl::withoutPowersOfTwo((size + 31) / 32);
+    mask_ = gl::Texture::make2D(gl::Format::R32UI, {tiles.x, size.y});
+    tiles_ = gl::Texture::make2D(gl::Format::R8UI, tiles);
     rows_ = gl::Texture::make2D(gl::Format::R16UI, size);
   }
   const gl::Variant variant{{}, {scheduleChoice(schedule)}};

@@ -23,7 +23,7 @@ void EdgeRayStage::draw(const Frame& frame, Steps& steps) {
   // At least one, which may have no weight: that compiles the programs ahead of the first edge.
   const int count = std::max(inputs_.edges.count(), 1);
   const gl::Buffer& list = inputs_.edges.list();
-  const glm::ivec2 size = 2 * Scatter{&list, 0, std::min(count, mostPixels)}.blocks();
+  const glm::ivec2 size = gl::withoutPowersOfTwo(2 * Scatter{&list, 0, std::min(count, mostPixels)}.blocks());
   for (int first = 0; first < count; first += mostPixels) {
     const Scatter pixels{&list, first, std::min(count - first, mostPixels)};
     const Batch batch{.pixels = pixels,

@@ -1,6 +1,7 @@
 #include "viewer/views/ScenePreparation.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <utility>
 
@@ -29,15 +30,22 @@ ChosenMethod programsOf(const Method& method) {
       method.chosen());
 }
 
-/// A few voxels of CT with a focus of the kind; the programs that draw them also draw a patient.
+/// A few voxels of CT with a focus of the kind; the programs that draw them also draw a patient. The software
+/// rasteriser compiles a program anew for textures of which another side is a power of two. So sides are as in most
+/// scans: slices have sides of a power of two, their number is none, and what shows reaches to no face.
 Scene sampleScene(const Focus& kind) {
   constexpr int side = 16;
   auto volume = std::make_shared<Volume>();
-  volume->grid.dims = glm::ivec3(side);
+  volume->grid.dims = {side, side, side - 1};
   volume->modality = Modality::CT;
   volume->voxels = Voxels(ScalarType::Int16, volume->grid.voxelCount());
   const auto values = volume->voxels.as<std::int16_t>();
-  for (std::size_t i = 0; i < values.size(); ++i) values[i] = static_cast<std::int16_t>(i % 2000);
+  for (int z = 1; z < side - 2; ++z)
+    for (int y = 1; y < side - 1; ++y)
+      for (int x = 1; x < side - 1; ++x) {
+        const std::size_t at = volume->grid.offset({x, y, z});
+        values[at] = static_cast<std::int16_t>(at % 2000);
+      }
   volume->computeRange();
   Scene scene;
   scene.look = startingLook();
@@ -58,10 +66,21 @@ Scene sampleScene(const Focus& kind) {
   return scene;
 }
 
-/// The middle of a view, of pixels of the same size: its picture runs the same programs in little time.
+/// The middle of a view, of pixels of the same size: its picture runs the same programs in little time. The software
+/// rasteriser compiles a program anew for textures of other sides that are powers of two. So the view's sides are
+/// halved as stages halve them, as long as no other one becomes a power of two: then the levels of both are alike.
 View middleOf(View view) {
-  constexpr int longest = 48;  // pixels
-  const glm::ivec2 size = glm::min(view.size, glm::ivec2(longest));
+  constexpr int longest = 48, longestAlike = 128;  // pixels
+  const auto isPower = [](glm::ivec2 size) {
+    return glm::bvec2(std::has_single_bit(static_cast<unsigned>(size.x)),
+                      std::has_single_bit(static_cast<unsigned>(size.y)));
+  };
+  glm::ivec2 size = view.size;
+  while (std::max(size.x, size.y) > longest) {
+    const glm::ivec2 half = (size + 1) / 2;
+    if (std::max(size.x, size.y) <= longestAlike && isPower(half) != isPower(view.size)) break;
+    size = half;
+  }
   const double share = static_cast<double>(size.y) / view.size.y;
   const double halfAngle = glm::radians(view.camera.verticalFov) * 0.5;
   view.camera.verticalFov = glm::degrees(2.0 * std::atan(std::tan(halfAngle) * share));
@@ -165,7 +184,7 @@ void ScenePreparation::prepareAhead(const Scene& scene, const View& view) {
 void ScenePreparation::warmUp(const std::vector<Focus>& kinds, Quality atRest, std::optional<double> maxError) {
   for (const Focus& focus : kinds) {
     const Scene scene = sampleScene(focus);
-    View view{.camera = Camera::standard(StandardView::Anterior, scene.volume->grid), .size = glm::ivec2(48)};
+    View view{.camera = Camera::standard(StandardView::Anterior, scene.volume->grid), .size = glm::ivec2(80)};
     view.occlusion = false;  // the first picture, and those in motion
     samples_.push_back({scene, view});
     view.quality = Quality::Draft;
