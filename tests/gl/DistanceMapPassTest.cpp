@@ -122,8 +122,9 @@ TEST_F(DistanceMapPassTest, KeepsItsImagesUntilReleased) {
   constexpr glm::ivec2 size{33, 17};
   const Mask mask = randomMask(size, 0.1);
   expectDistances(pass, mask, size, {8});
-  // Words of 32 pixels, a byte a tile, and two bytes a pixel.
-  EXPECT_EQ(pass.bytes(), 4u * 2u * 17u + 2u * 1u + 2u * 33u * 17u);
+  // Words of 32 pixels, of which 2 would do, and a byte a tile, of which 2 × 1 would: 3 is the next number that is no
+  // power of two. Two bytes a pixel.
+  EXPECT_EQ(pass.bytes(), 4u * 3u * 17u + 3u * 3u + 2u * 33u * 17u);
   pass.release();
   EXPECT_EQ(pass.bytes(), 0u);
   expectDistances(pass, mask, size, {8});
