@@ -20,7 +20,7 @@ const Effort firstEffort{FramePacer::leastScale, Quality::Normal};
 constexpr double latest = 1.2;
 
 /// Share of the budget that a frame is planned for, because some frames take longer.
-constexpr double planned = 0.93;
+constexpr double planned = 0.88;
 
 /// Scales are multiples of 1/64, and follow times only when these have changed by so large a share: in pictures of the
 /// size of those before, the renderer allocates no images and keeps the stages that have not changed.
