@@ -26,7 +26,7 @@ constexpr std::string_view presetEnding = ".json";
 std::string presetPath(const std::string& id) { return std::string(presetFolder) + id + std::string(presetEnding); }
 
 /// What the values of nodes are.
-enum class Domain : std::uint8_t { Value, Hounsfield, Percentile, Uptake };
+enum class Domain : std::uint8_t { Value, Hounsfield, Percentile, Tissue, Uptake };
 
 /// Reads one description; every mistake is an Error that names `source` and says which entry it is.
 class Parser {
@@ -53,16 +53,17 @@ class Parser {
     for (const auto& [word, meant] : {std::pair("value", Domain::Value),
                                       {"hounsfield", Domain::Hounsfield},
                                       {"percentile", Domain::Percentile},
+                                      {"tissue", Domain::Tissue},
                                       {"uptake", Domain::Uptake}})
       if (domain != root_.end() && *domain == word) return meant;
-    fail("\"domain\" is none of \"value\", \"hounsfield\", \"percentile\", \"uptake\"");
+    fail("\"domain\" is none of \"value\", \"hounsfield\", \"percentile\", \"tissue\", \"uptake\"");
   }
 
   /// Nodes with values as written. `voxel`: the finest spacing, mm.
   TransferFunction function(double voxel) const {
     const auto nodes = root_.find("nodes");
     if (nodes == root_.end() || !nodes->is_array() || nodes->empty()) fail("\"nodes\" is not a list of nodes");
-    const bool percentile = domain() == Domain::Percentile;
+    const bool percentile = domain() == Domain::Percentile || domain() == Domain::Tissue;
     TransferFunction result;
     for (const Json& entry : *nodes) {
       const std::string where = "node " + std::to_string(result.nodes.size() + 1) + ": ";
@@ -153,7 +154,10 @@ ContextFunction madeFor(const Volume& volume, const std::string& presetOrPath,
   // The mean of a body's standardised uptake value is 1, but for what has left it: that is its definition.
   const bool isStandardised = parser.domain() == Domain::Uptake && volume.unit == "GML";
   if (isStandardised) return context;
-  const segmentation::TissueDistribution tissue(volume);
+  using segmentation::TissueDistribution;
+  const TissueDistribution tissue(volume, parser.domain() == Domain::Tissue
+                                              ? TissueDistribution::Background::Air
+                                              : TissueDistribution::Background::DarkerClass);
   const double one = tissue.mean();
   for (TransferFunction::Node& node : context.function.nodes)
     node.value = parser.domain() == Domain::Uptake ? node.value * one : tissue.at(node.value);

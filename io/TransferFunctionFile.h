@@ -1,7 +1,7 @@
 #pragma once
 // Transfer functions as JSON: the presets in resources/transfer-functions and the user's own files.
 //
-// { "name": "CT bone", "domain": "value" | "hounsfield" | "percentile" | "uptake",
+// { "name": "CT bone", "domain": "value" | "hounsfield" | "percentile" | "tissue" | "uptake",
 //   "nodes": [ {"value": 150, "colour": [r,g,b], "opacity": o, "per": "mm" | "voxel"}, … ] }
 // Nodes are in ascending order of value; two of the same value make a step. colour is display RGB 0..1, opacity that of
 // 1 mm of material, or of the finest spacing of the voxels: a surface such as the skin is as thin as they are. With
@@ -11,7 +11,8 @@
 // of its tissue, which is 1 in a whole body by that value's definition. With "percentile", values are 0..100 and are
 // mapped through the volume's own value distribution, because MR values have no unit. The distribution is that of the
 // tissue: background (air and its noise) is left out, by the threshold that separates the volume's two main classes
-// best (Otsu's), so that percentile 0 is where tissue begins.
+// best (Otsu's), so that percentile 0 is where tissue begins. "tissue" is the same with air and its noise alone left
+// out, so that skin and other dark tissue counts, and 0 is the surface of the body.
 
 #include <filesystem>
 #include <string>

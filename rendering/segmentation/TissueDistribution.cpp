@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace fenestra::segmentation {
 namespace {
@@ -23,37 +24,52 @@ std::vector<double> sampled(const Volume& volume) {
   return values;
 }
 
-/// How many of the sorted values are background: air and its noise, below the threshold that separates the two
-/// classes best (Otsu, IEEE Trans. SMC 9(1), 1979: the greatest variance between classes).
-std::ptrdiff_t backgroundCount(const std::vector<double>& values) {
+/// Two classes of sorted values.
+struct Split {
+  std::size_t below = 0;   ///< how many values are of the lower class
+  double explained = 0.0;  ///< share of the variance that lies between the classes, 0 … 1
+};
+
+/// The first `count` sorted values, parted where the variance between the classes is greatest (Otsu's method).
+Split bestSplit(const std::vector<double>& values, std::size_t count) {
+  Split split;
+  if (count == 0) return split;
   // Outliers (metal, a spike) would be a class of their own.
-  const std::size_t tail = values.size() / 1000;
-  const auto clipped = [&](std::size_t i) {
-    return std::clamp(values[i], values[tail], values[values.size() - 1 - tail]);
-  };
-  double total = 0.0;
-  for (std::size_t i = 0; i < values.size(); ++i) total += clipped(i);
-  const auto count = static_cast<double>(values.size());
+  const std::size_t tail = count / 1000;
+  const auto clipped = [&](std::size_t i) { return std::clamp(values[i], values[tail], values[count - 1 - tail]); };
+  double total = 0.0, squares = 0.0;
+  for (std::size_t i = 0; i < count; ++i) total += clipped(i);
+  const auto all = static_cast<double>(count);
+  for (std::size_t i = 0; i < count; ++i) squares += (clipped(i) - total / all) * (clipped(i) - total / all);
   double below = 0.0, greatest = 0.0;
-  std::size_t split = 0;
-  for (std::size_t i = 1; i < values.size(); ++i) {
+  for (std::size_t i = 1; i < count; ++i) {
     below += clipped(i - 1);
     if (values[i] == values[i - 1]) continue;
     const double n = static_cast<double>(i);
-    const double difference = below / n - (total - below) / (count - n);
-    const double between = n * (count - n) * difference * difference;
+    const double difference = below / n - (total - below) / (all - n);
+    const double between = n * (all - n) * difference * difference;
     if (between > greatest) {
       greatest = between;
-      split = i;
+      split.below = i;
     }
   }
-  return static_cast<std::ptrdiff_t>(split);
+  if (squares > 0.0) split.explained = greatest / (all * squares);
+  return split;
 }
+
+/// The split of one class in two explains 0.64 of the variance of a normal distribution, 0.66 of the noise of air in a
+/// magnitude image (Rayleigh's distribution), and 0.75 where all values are as frequent. More tells of two classes: air
+/// beside dark tissue explains 0.81 to 0.93 in T1 of heads and of a knee.
+constexpr double leastExplained = 0.78;
 
 }  // namespace
 
-TissueDistribution::TissueDistribution(const Volume& volume) : values_(sampled(volume)) {
-  if (!values_.empty()) values_.erase(values_.begin(), values_.begin() + backgroundCount(values_));
+TissueDistribution::TissueDistribution(const Volume& volume, Background background) : values_(sampled(volume)) {
+  std::size_t count = bestSplit(values_, values_.size()).below;
+  if (background == Background::Air)
+    if (const Split split = bestSplit(values_, count); split.explained >= leastExplained) count = split.below;
+  if (background == Background::Air && count > 0) values_[count] = std::midpoint(values_[count - 1], values_[count]);
+  values_.erase(values_.begin(), values_.begin() + static_cast<std::ptrdiff_t>(count));
 }
 
 double TissueDistribution::at(double percentile) const {

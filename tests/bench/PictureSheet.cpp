@@ -215,18 +215,20 @@ Sheet methodSheet() {
 
 Sheet defaultsSheet() {
   Rows rows(Rows::Start::AsUsual);
-  rows.phantom("phantom", "Phantom: organs");
+  rows.phantom("torso", "Phantom: organs");
   const fs::path archive = "visible-human/VHMCT1mm_Head.tar.xz";
   rows.ranged("vhm", "CT head, 1 mm: skull", archive, {300.0, 3000.0}, {55.0, 5.0}, 1.0);
   if (Row* row = rows.last("vhm")) row->options.path = tests::unpackTestData(archive, archive.stem().stem());
   rows.ranged("head", "CT head, not in HU", headCt, {0.6, 1.0}, {55.0, 5.0}, 1.0);
-  rows.labelled("torso", "CT torso, 3 mm", torsoCt, torsoLabels, {"2", "3"}, {180.0, 10.0}, 1.0);
+  rows.labelled("kidneys", "CT torso, 3 mm", torsoCt, torsoLabels, {"2", "3"}, {180.0, 10.0}, 1.0);
   rows.labelled("kidney", "CT torso: kidney", torsoCt, torsoLabels, {"2"}, {150.0, 5.0}, 1.0);
   rows.labelled("chest", "CT chest, 10 mm", chestCt, chestLabels, {"right lung", "left lung"}, {25.0, 10.0}, 1.0);
   rows.labelled("lung", "CT lung, 2.5 mm", "labelled/elastix-lung/3DCT_lung.mha",
                 "labelled/elastix-lung/3DCT_lung_baseline_mask.mha", {"1"}, {0.0, 0.0}, 1.0);
   rows.labelled("brain", "MR T1: hippocampus", brainMr, brainLabels, {"37", "38"}, {90.0, 20.0}, 1.0);
   rows.whole("mr", "MR head, 5 mm", "visible-human/vm_head_mri.mha", {40.0, 10.0});
+  rows.whole("coarse-mr", "MR head, 4 mm", "formats/metaimage/HeadMRVolume.mhd", {30.0, 10.0});
+  rows.whole("mask", "Mask as a volume", "formats/nifti/with_extension.nii.gz", {30.0, 10.0});
   body(rows, "hand", "", {"120", "121"}, {0.0, 0.0});
   body(rows, "foot", "", {"119", "120"}, {60.0, 10.0});
   body(rows, "head", "", {"135", "137"}, {60.0, 5.0});

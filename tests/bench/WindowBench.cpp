@@ -14,6 +14,7 @@
 #include <cmath>
 #include <functional>
 #include <iostream>
+#include <numeric>
 #include <string>
 #include <vector>
 
@@ -310,15 +311,18 @@ class Bench {
   Json turn(int index) {
     VolumeView* view = window_.views().volumeViews()[static_cast<std::size_t>(index)];
     const QPointF middle = QRectF(view->rect()).center();
+    const FramePacer& pacer = window_.views().pacer();
+    std::vector<double> scales;
     const auto [start, released] = drag(view, [&](double seconds) {
+      if (const auto& last = pacer.last()) scales.push_back(last->effort.scale);
       const double angle = 2.0 * seconds;
       return middle + 80.0 * QPointF(std::cos(angle) - 1.0, std::sin(angle));
     });
-    Json result{
-        {"turned", ratesOf(times_.of(static_cast<std::size_t>(index)), start, released)},
-        {"linked", ratesOf(times_.of(static_cast<std::size_t>(1 - index)), start, released)},
-        {"scale_while_turning", window_.views().pacer().last() ? window_.views().pacer().last()->effort.scale : 0.0},
-        {"blocks", takeBlocks()}};
+    Json result{{"turned", ratesOf(times_.of(static_cast<std::size_t>(index)), start, released)},
+                {"linked", ratesOf(times_.of(static_cast<std::size_t>(1 - index)), start, released)},
+                // Of the larger picture of each frame.
+                {"mean_scale", std::accumulate(scales.begin(), scales.end(), 0.0) / static_cast<double>(scales.size())},
+                {"blocks", takeBlocks()}};
     waitUntilDrawn();
     result["at_rest"] = {{"all_after_ms", now() - released}};
     for (std::size_t other = 0; other < 2; ++other) {

@@ -93,6 +93,36 @@ TEST(TransferFunctionFile, PercentilesDescribeTissueOnly) {
   EXPECT_NEAR(function.nodes[1].value, 1500.0, 0.5);
 }
 
+/// The value that a node at the surface of the body gets, with the domain "tissue".
+double surfaceOf(const Volume& volume) {
+  return loadContextFunction(written(R"({"name": "x", "domain": "tissue", "nodes": [
+      {"value": 0, "colour": [1, 1, 1], "opacity": 0}, {"value": 100, "colour": [1, 1, 1], "opacity": 1}]})")
+                                 .string(),
+                             volume)
+      .function.nodes[0]
+      .value;
+}
+
+TEST(TransferFunctionFile, TissueBeginsAboveAirAndItsNoise) {
+  std::vector<float> values;
+  for (int i = 0; i < 3000; ++i) values.push_back(static_cast<float>(i % 50));
+  for (int i = 0; i < 1000; ++i) values.push_back(static_cast<float>(1000 + i));
+  EXPECT_EQ(surfaceOf(volumeOf(values)), 524.5) << "the noise of air is one class, however it is spread";
+  for (int i = 0; i < 400; ++i) values.push_back(static_cast<float>(100 + i % 100));
+  EXPECT_EQ(surfaceOf(volumeOf(values)), 74.5) << "skin that is darker than all else";
+  EXPECT_EQ(surfaceOf(volumeOf<std::uint8_t>({0, 0, 0, 1, 1})), 0.5) << "a mask's surface";
+  EXPECT_EQ(surfaceOf(volumeOf<std::uint8_t>({7, 7, 7, 7})), 7.0);
+}
+
+TEST(TransferFunctionFile, AnMrHeadStartsWithItsSkin) {
+  const std::filesystem::path file = tests::findTestData("formats/metaimage/HeadMRVolume.mhd");
+  if (file.empty()) GTEST_SKIP() << "needs the test-data file";
+  const double surface = startingContext(*openVolume(file).volume).function.nodes.front().value;
+  // The noise of air has a mean of 3, and from 26 on the face has holes.
+  EXPECT_GT(surface, 10.0);
+  EXPECT_LT(surface, 20.0);
+}
+
 TEST(TransferFunctionFile, PercentilesOfDegenerateVolumes) {
   const auto nodesOf = [](const Volume& volume) { return loadContextFunction("mr", volume).function.nodes; };
   for (const auto& node : nodesOf(volumeOf<std::uint8_t>({7, 7, 7, 7}))) EXPECT_EQ(node.value, 7.0);

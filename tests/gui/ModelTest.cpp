@@ -292,9 +292,24 @@ TEST(FramePacer, ShrinksUntilTheFrameFitsItsBudget) {
   const Paced paced = drag(pacer, 300.0, 20.0);
   EXPECT_EQ(paced.leader.quality, Quality::Draft);
   EXPECT_LE(paced.frame, FramePacer::budget);
-  EXPECT_GT(paced.frame, 0.7 * FramePacer::budget) << "steps of the scale are a sixteenth";
+  // Planned for 0.88 of it; a step down of a sixty-fourth in both scales, of about a third, takes a tenth of the time
+  // of pictures.
+  EXPECT_GT(paced.frame, 0.8 * FramePacer::budget);
   EXPECT_GT(paced.leader.scale, paced.follower.scale) << "more of the time is the view's that is turned";
   EXPECT_EQ(pacer.framesPerFollowing(), 1);
+}
+
+TEST(FramePacer, TheSizeOfPicturesStaysWhereTheirTimeHardlyChanges) {
+  FramePacer pacer;
+  drag(pacer, 300.0, 20.0);
+  const Effort leader = pacer.moving(2, true);
+  // Up to 5 % to either side, so that the planned scales cross a step somewhere.
+  for (const double share : {0.95, 0.97, 1.0, 1.03, 1.05, 1.02, 0.98}) {
+    drag(pacer, 300.0 * share, 20.0);
+    EXPECT_EQ(pacer.moving(2, true), leader) << share;
+  }
+  drag(pacer, 200.0, 20.0);
+  EXPECT_GT(pacer.moving(2, true).scale, leader.scale);
 }
 
 TEST(FramePacer, WhereThereIsNoTimeTheLinkedViewSkipsFrames) {

@@ -20,7 +20,12 @@ const Effort firstEffort{FramePacer::leastScale, Quality::Normal};
 constexpr double latest = 1.2;
 
 /// Share of the budget that a frame is planned for, because some frames take longer.
-constexpr double planned = 0.85;
+constexpr double planned = 0.88;
+
+/// Scales are multiples of 1/64, and follow times only when these have changed by so large a share: in pictures of the
+/// size of those before, the renderer allocates no images and keeps the stages that have not changed.
+constexpr double scaleSteps = 64.0;
+constexpr double steady = 0.06;
 
 /// Share of two pictures' time that the view gets which the user turns: it shows more detail than the one that follows.
 constexpr double leaderShare = 0.6;
@@ -28,6 +33,8 @@ constexpr double leaderShare = 0.6;
 void blend(std::optional<double>& average, double sample) {
   average = average ? *average + weight * (sample - *average) : sample;
 }
+
+double steppedDown(double scale) { return std::floor(std::min(scale, 1.0) * scaleSteps) / scaleSteps; }
 
 }  // namespace
 
@@ -47,7 +54,7 @@ QString nameOf(const Effort& effort) {
 /// Milliseconds that the pictures of a frame may take together.
 double FramePacer::timeForPictures() const {
   // However slow the rest of a frame is, pictures get a part of it.
-  return std::max(planned * budget_ - overhead_.value_or(0.0), 0.4 * budget_);
+  return std::max(planned * budget_ - plannedOverhead_, 0.4 * budget_);
 }
 
 Effort FramePacer::moving(int count, bool leads) const {
@@ -55,12 +62,10 @@ Effort FramePacer::moving(int count, bool leads) const {
   if (restCost_ && *restCost_ * count <= time) return rest_;
   if (!draftCost_ && !restCost_) return firstEffort;
   // Until a draft is measured, half the time of a picture at rest is a guess.
-  const double cost = draftCost_ ? *draftCost_ : 0.5 * *restCost_;
+  const double cost = plannedCost_ ? *plannedCost_ : 0.5 * *restCost_;
   const double share = count == 1 ? 1.0 : leads ? leaderShare : 1.0 - leaderShare;
-  const double scale = std::sqrt(time * share / std::max(cost, 1e-3));
-  // In steps of a sixteenth, so that the renderer seldom has to allocate images of another size.
-  const double stepped = std::floor(std::min(scale, 1.0) * 16.0) / 16.0;
-  return {std::max(stepped, count == 1 || leads ? leastScale : leastFollowingScale), Quality::Draft};
+  const double scale = steppedDown(std::sqrt(time * share / std::max(cost, 1e-3)));
+  return {std::max(scale, count == 1 || leads ? leastScale : leastFollowingScale), Quality::Draft};
 }
 
 int FramePacer::framesPerFollowing() const {
@@ -76,7 +81,7 @@ std::optional<Effort> FramePacer::beforeRest() const {
   if (!restCost_ && !draftCost_) return std::nullopt;
   if (restCost_ && *restCost_ <= 2.0 * firstAtRest) return std::nullopt;
   const double cost = draftCost_ ? *draftCost_ : 0.5 * *restCost_;
-  const double scale = std::floor(std::min(std::sqrt(firstAtRest / std::max(cost, 1e-3)), 1.0) * 16.0) / 16.0;
+  const double scale = steppedDown(std::sqrt(firstAtRest / std::max(cost, 1e-3)));
   const Effort draft{std::max(scale, leastScale), Quality::Draft};
   return draft == rest_ || scale <= moving(views).scale ? std::nullopt : std::optional(draft);
 }
@@ -106,6 +111,8 @@ void FramePacer::note(Effort effort, double milliseconds) {
   // A picture's time grows with its pixels.
   else
     blend(draftCost_, milliseconds / (effort.scale * effort.scale));
+  if (draftCost_ && (!plannedCost_ || std::abs(*draftCost_ - *plannedCost_) > steady * *plannedCost_))
+    plannedCost_ = draftCost_;
 }
 
 void FramePacer::end(double now) {
@@ -115,6 +122,7 @@ void FramePacer::end(double now) {
   ++frames_;
   last_ = {now - frame.began, frame.views, frame.effort};
   if (frame.usual) blend(overhead_, now - frame.began - frame.drawing);
+  if (std::abs(overhead_.value_or(0.0) - plannedOverhead_) > steady * budget_) plannedOverhead_ = *overhead_;
 }
 
 bool FramePacer::mayRefine(int view) const {

@@ -95,6 +95,9 @@ class FramePacer {
   std::optional<double> restCost_;   ///< ms per view at rest
   std::optional<double> draftCost_;  ///< ms per view for a draft of scale 1
   std::optional<double> overhead_;   ///< ms of a frame besides its pictures: overlays, putting the window together
+  // What scales are planned from; they follow the times above only where these have changed for good.
+  std::optional<double> plannedCost_;
+  double plannedOverhead_ = 0.0;
 };
 
 }  // namespace fenestra::viewer

@@ -20,6 +20,10 @@
 namespace fenestra::viewer {
 namespace {
 
+/// Milliseconds of a trial picture between two looks at whether it is to stop: short enough for a window that waits,
+/// and long enough for whole tiles. A limit of 0 cuts every pass into single groups, each of them waited for.
+constexpr double trialSlice = 12.0;
+
 /// The parameters of the chosen method that decide on programs; all others have their defaults.
 ChosenMethod programsOf(const Method& method) {
   return std::visit(
@@ -206,7 +210,7 @@ void ScenePreparation::goOn() {
         const auto gpuScene = std::make_shared<GpuScene>(gpuScene_->programs());
         Renderer trial(gpuScene);
         trial.begin(sample.scene, sample.view);
-        while (!*isDone && !stop) *isDone = trial.advance(0.0);
+        while (!*isDone && !stop) *isDone = trial.advance(trialSlice);
       },
       [this, isDone](std::exception_ptr error) {
         // A driver's error is reported once a picture needs the programs.
@@ -253,7 +257,7 @@ void ScenePreparation::start(const Scene& scene, const View& view, const Kind& k
         Renderer trial(gpuScene_);
         const View middle = middleOf(view);
         trial.begin(scene, middle);
-        while (!*isDone && !stop) *isDone = trial.advance(0.0);
+        while (!*isDone && !stop) *isDone = trial.advance(trialSlice);
         // What puts a picture on screen has a program, too.
         if (*isDone) trial.readPresented(middle.size);
       },
