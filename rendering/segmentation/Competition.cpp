@@ -113,7 +113,7 @@ StructurePrior Competition::priorOf(const FirstRegion& region) const {
 
 GrowthCurve Competition::curveOf(const std::vector<Level>& joins, std::span<const Level> costs,
                                  const Noise& noise) const {
-  return growthCurve(joins, costs, volume_.grid, volume_.grid.dims, noise.share());
+  return growthCurve(joins, costs, volume_.grid, volume_.grid.dims, competingEdges(noise));
 }
 
 Noise Competition::boneNoise(const Noise& noise) const {
@@ -209,8 +209,8 @@ std::optional<TubeRegion> Competition::clearerTube(glm::ivec3 seed, const FirstR
     joins[i] = region.joins[i] <= tubeLevel ? tubeLevel : never;
     costs[i] = first.costs[whole.offset(region.box.at(i))];
   }
-  const auto own = clearestStep(growthCurve(joins, costs, volume_.grid, region.box.dims(), first.noise.share()), prior,
-                                volume_.grid);
+  const GrowthCurve curve = growthCurve(joins, costs, volume_.grid, region.box.dims(), competingEdges(first.noise));
+  const auto own = clearestStep(curve, prior, volume_.grid);
   if (!own || (other && own->clarity <= other->clarity + handicapOf(*tube))) return std::nullopt;
   return region;
 }

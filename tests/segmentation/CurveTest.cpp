@@ -12,10 +12,10 @@ namespace {
 
 /// The curve of a volume whose voxels join at joinAt and cost the same.
 template <class JoinAt>
-GrowthCurve curveOf(const Grid& grid, JoinAt joinAt) {
+GrowthCurve curveOf(const Grid& grid, JoinAt joinAt, const EdgeScale& edges = {}) {
   std::vector<Level> joins;
   tests::forEachVoxel(grid.dims, [&](glm::ivec3 at) { joins.push_back(static_cast<Level>(joinAt(at))); });
-  return growthCurve(joins, joins, grid, grid.dims, 1.0);
+  return growthCurve(joins, joins, grid, grid.dims, edges);
 }
 
 /// Greatest distance to the centre along an axis.
@@ -37,6 +37,15 @@ TEST(Curve, MeasuresABlock) {
   }
   EXPECT_DOUBLE_EQ(curve.volume[101], 9261.0 * 24.0);
   EXPECT_EQ(curve.volume.size(), static_cast<std::size_t>(stepCount) + 1);
+}
+
+TEST(Curve, CountsNoEdgeSharperInNoiseThanTheEyeDoes) {
+  const auto contrast = [](const Noise& noise) {
+    const auto block = [](glm::ivec3 at) { return shellOf(at, glm::ivec3(10)) <= 4 ? 10 : 200; };
+    return curveOf(tests::gridOf(glm::ivec3(21)), block, competingEdges(noise)).contrast[100];
+  };
+  EXPECT_NEAR(contrast({3.0, 8.0, 8.0}), 6.0, 1e-9) << "units of the noise";
+  EXPECT_NEAR(contrast({40.0, 40.0, 8.0}), 2.0, 1e-9) << "80 HU are ten differences that the eye tells apart";
 }
 
 TEST(Curve, BeginsOnTheFirstPlateauBeforeALeak) {
