@@ -14,7 +14,7 @@
 namespace fenestra::segmentation {
 namespace {
 
-constexpr double mostSeen = 10.0;  ///< differences that the eye tells apart: 6 costs a bladder 0.08 of its Dice
+constexpr double mostBetweenTissues = 80.0;  ///< HU: 48 costs a bladder 0.08 of its Dice
 
 // Conditions for a plateau, chosen on the marked structures of tests/bench/results/growing.md. Half the contrast or
 // twice the steadiness changes the mean Dice of the first setting by 0.01 there; twice the contrast or twice the fall
@@ -39,9 +39,12 @@ constexpr double sizeWeight = 1.8;       ///< below the usual size
 constexpr double usualStructure = 2e-4;  ///< of the body's volume
 constexpr double longestStay = 2.0;      ///< octaves: more is no better
 constexpr double mostForSize = 1.0;      ///< what a small size costs at most, so that a sharp lesion still is one
-constexpr double excessWeight = 0.5;     ///< beyond the expected size
+constexpr double excessWeight = 0.5;     ///< beyond the expected size, and beyond a large one
 constexpr double oversizeCost = 3.0;     ///< beyond the greatest size: more than sharpness and stay can bring
 constexpr double mostStructure = 0.15, mostGas = 0.6;  ///< of the body's volume
+/// Of the greatest size: a larger region is more often a leak. In loud noise its border with air and bone is clearer
+/// than that of an organ with its neighbours.
+constexpr double muchShare = 1.0 / 3.0;
 
 /// Steps over which growth is looked at: half an octave of tolerance.
 constexpr auto lately = static_cast<std::size_t>(levelsPerOctave / 2.0);
@@ -199,9 +202,9 @@ void findPlateaus(GrowthCurve& curve, double voxelVolume, double noiseShare, dou
 
 }  // namespace
 
-EdgeScale competingEdges(const Noise& noise) {
+EdgeScale competingEdges(const Volume& volume, const Noise& noise) {
   EdgeScale edges{noise.share()};
-  edges.mostRise = std::min(edges.mostRise, mostSeen * noise.seen / noise.unit);
+  if (volume.isInHounsfieldUnits()) edges.mostRise = std::min(edges.mostRise, mostBetweenTissues / noise.unit);
   return edges;
 }
 
@@ -236,7 +239,8 @@ GrowthCurve growthCurve(std::span<const Level> joins, std::span<const Level> cos
 }
 
 StructurePrior structurePrior(double body, bool isGas) {
-  return {.usual = usualStructure * body, .most = (isGas ? mostGas : mostStructure) * body, .limit = mostGas * body};
+  const double most = (isGas ? mostGas : mostStructure) * body;
+  return {.usual = usualStructure * body, .most = most, .much = muchShare * most, .limit = mostGas * body};
 }
 
 std::optional<ClearestStep> clearestStep(const GrowthCurve& curve, const StructurePrior& prior, const Grid& grid,
@@ -255,7 +259,8 @@ std::optional<ClearestStep> clearestStep(const GrowthCurve& curve, const Structu
     const double clarity = sharpnessWeight * std::log(curve.contrast[step]) +
                            compactnessWeight * std::log(std::min(1.0, curve.compactness[step])) + stayWeight * octaves +
                            std::max(-mostForSize, sizeWeight * std::min(0.0, std::log(volume / prior.usual))) -
-                           excessWeight * std::max(0.0, std::log(volume / prior.expected)) -
+                           excessWeight * (std::max(0.0, std::log(volume / prior.expected)) +
+                                           std::max(0.0, std::log(volume / prior.much))) -
                            (volume > prior.most ? oversizeCost : 0.0);
     const bool isSmaller = clearest && volume < curve.volume[static_cast<std::size_t>(clearest->step)];
     if (!clearest || clarity >= chosen + (isSmaller ? prior.smallerHandicap : 0.0)) {

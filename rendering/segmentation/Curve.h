@@ -31,9 +31,9 @@ struct EdgeScale {
   double mostRise = 6.0;  ///< a sharper edge is no better
 };
 /// For regions that compete. Loud noise is a large unit: six of it would be a difference that only air and bone make,
-/// and what leaks to these would look sharper than an organ. So no more than `mostSeen` differences that the eye tells
-/// apart count, 80 HU.
-EdgeScale competingEdges(const Noise& noise);
+/// and what leaks to these would look sharper than an organ. So in Hounsfield units no more than 80 HU count, by which
+/// soft tissues differ.
+EdgeScale competingEdges(const Volume& volume, const Noise& noise);
 
 /// One entry a step, [0, stepCount].
 struct GrowthCurve {
@@ -54,6 +54,8 @@ GrowthCurve growthCurve(std::span<const Level> joins, std::span<const Level> cos
 struct StructurePrior {
   double usual = 0.0;  ///< a smaller region is less likely to be meant, the more the smaller it is
   double most = 0.0;   ///< a larger region counts only where no other one is clear
+  /// A larger region is less likely to be meant, the more the larger it is.
+  double much = std::numeric_limits<double>::infinity();
   double limit = std::numeric_limits<double>::infinity();     ///< a larger region is no structure
   double expected = std::numeric_limits<double>::infinity();  ///< a larger region is less likely to be meant
   double contrast = 0.0;                                      ///< noise units: a surface with less is no border

@@ -55,7 +55,7 @@ class SeedGrower {
       if (!memory.first() && !(first = grownByValues({inside.front()}, {}))) return std::nullopt;
       if (!build.wait([this] { return goOn(0.8); }) || !goOn(0.8)) return std::nullopt;
       if (first) {
-        first->curve = curveOf(*first, competingEdges(first->noise));
+        first->curve = curveOf(*first, competingEdges(volume_, first->noise));
         first->ball = settings.ball;
         first->centre = settings.inside.front();
         competitionOf(memory).decide(*first);
