@@ -40,7 +40,6 @@ constexpr double walkHandicap = 0.55, clearHandicap = 0.5, unseenWalkHandicap = 
 constexpr double leastWalkClarity = -0.6;    ///< with less it is no region
 constexpr double greatestWalkClarity = 0.8;  ///< of nearly all walks: beside what is clearer, none is tried
 constexpr double seenSurface = 0.85;         ///< WalkRegion::support
-constexpr double muchShare = 1.0 / 3.0;      ///< of StructurePrior::most
 // Weights of sharpness and compactness, as in Curve.cpp.
 constexpr double walkSharpness = 0.7, walkCompactness = 0.9;
 
@@ -114,7 +113,7 @@ StructurePrior Competition::priorOf(const FirstRegion& region) const {
 
 GrowthCurve Competition::curveOf(const std::vector<Level>& joins, std::span<const Level> costs,
                                  const Noise& noise) const {
-  return growthCurve(joins, costs, volume_.grid, volume_.grid.dims, noise.share());
+  return growthCurve(joins, costs, volume_.grid, volume_.grid.dims, competingEdges(volume_, noise));
 }
 
 Noise Competition::boneNoise(const Noise& noise) const {
@@ -210,8 +209,9 @@ std::optional<TubeRegion> Competition::clearerTube(glm::ivec3 seed, const FirstR
     joins[i] = region.joins[i] <= tubeLevel ? tubeLevel : never;
     costs[i] = first.costs[whole.offset(region.box.at(i))];
   }
-  const auto own = clearestStep(growthCurve(joins, costs, volume_.grid, region.box.dims(), first.noise.share()), prior,
-                                volume_.grid);
+  const GrowthCurve curve =
+      growthCurve(joins, costs, volume_.grid, region.box.dims(), competingEdges(volume_, first.noise));
+  const auto own = clearestStep(curve, prior, volume_.grid);
   if (!own || (other && own->clarity <= other->clarity + handicapOf(*tube))) return std::nullopt;
   return region;
 }
@@ -230,7 +230,7 @@ std::optional<WalkRegion> Competition::clearerWalk(const FirstRegion& region, co
   if (region.isBone || region.isTube || ball_ || volume_.isInHounsfieldUnits()) return std::nullopt;
   double least = leastWalkClarity;
   if (other) {
-    const double share = region.curve.volume[static_cast<std::size_t>(other->step)] / (muchShare * prior.most);
+    const double share = region.curve.volume[static_cast<std::size_t>(other->step)] / prior.much;
     least = std::max(
         least, (1.0 + clearHandicap) * other->clarity + walkHandicap - muchHandicap * std::max(0.0, std::log(share)));
   }

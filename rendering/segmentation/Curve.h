@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "rendering/segmentation/Levels.h"
+#include "rendering/segmentation/Smoothing.h"
 #include "rendering/segmentation/VoxelBox.h"
 #include "rendering/volume/Grid.h"
 
@@ -24,6 +25,16 @@ struct Plateau {
   bool operator==(const Plateau&) const = default;
 };
 
+/// How differences of costs are judged, in noise units.
+struct EdgeScale {
+  double noise = 1.0;     ///< Noise::share(): with less noise, less contrast makes a surface
+  double mostRise = 6.0;  ///< a sharper edge is no better
+};
+/// For regions that compete. Loud noise is a large unit: six of it would be a difference that only air and bone make,
+/// and what leaks to these would look sharper than an organ. So in Hounsfield units no more than 80 HU count, by which
+/// soft tissues differ.
+EdgeScale competingEdges(const Volume& volume, const Noise& noise);
+
 /// One entry a step, [0, stepCount].
 struct GrowthCurve {
   std::vector<double> volume;       ///< mm³; a leak is a cliff
@@ -31,17 +42,20 @@ struct GrowthCurve {
   std::vector<double> compactness;  ///< (36 π V²)^⅓ / area: the surface of the ball of that volume over the region's
   std::vector<Plateau> plateaus;    ///< ascending
   int automatic = 0;                ///< the step to begin with
+  double mostRise = EdgeScale{}.mostRise;  ///< the greatest contrast that there can be
 };
 
 /// `joins` and `costs` hold a box of `dims`: the level at which a voxel joins (or `never`), and its own cost.
-/// `noiseShare` is Noise::share(): with less noise, less contrast makes a surface. Runs on all cores.
+/// Runs on all cores.
 GrowthCurve growthCurve(std::span<const Level> joins, std::span<const Level> costs, const Grid& grid, glm::ivec3 dims,
-                        double noiseShare);
+                        const EdgeScale& edges);
 
 /// What is known of a structure before its region is: sizes in mm³, and its border.
 struct StructurePrior {
   double usual = 0.0;  ///< a smaller region is less likely to be meant, the more the smaller it is
   double most = 0.0;   ///< a larger region counts only where no other one is clear
+  /// A larger region is less likely to be meant, the more the larger it is.
+  double much = std::numeric_limits<double>::infinity();
   double limit = std::numeric_limits<double>::infinity();     ///< a larger region is no structure
   double expected = std::numeric_limits<double>::infinity();  ///< a larger region is less likely to be meant
   double contrast = 0.0;                                      ///< noise units: a surface with less is no border

@@ -19,6 +19,8 @@ constexpr double airShare = 0.02;
 // Chosen on the marked structures of tests/bench/results/growing.md, so that no more than 5 % of the regions that do
 // not leak are doubtful.
 constexpr double strongEdge = 2.0, weakEdge = 0.75;  ///< noise units, averaged over the border
+/// Of the greatest rise that counts: in loud noise, that is a strong edge.
+constexpr double strongShare = 0.5;
 /// A region that is less compact is ragged, as leaks are; with a strong enough edge it may still be a long bone.
 constexpr double leastCompact = 0.25, raggedEdge = 3.0;
 constexpr double leakGrowth = 1.5;  ///< a region that grows by this factor in one step of its curve leaks there
@@ -45,9 +47,10 @@ int stepsAlike(const Growth& growth, int step) {
 Border borderAt(const Growth& growth, int step, double contrast) {
   const bool isSteady = std::any_of(growth.curve.plateaus.begin(), growth.curve.plateaus.end(),
                                     [&](const Plateau& each) { return each.first <= step && step <= each.last; });
-  const bool isStrong = contrast >= strongEdge;
+  const double strong = std::min(strongEdge, strongShare * growth.curve.mostRise);
+  const bool isStrong = contrast >= strong;
   const bool isRagged = growth.curve.compactness[static_cast<std::size_t>(step)] < leastCompact;
-  if (contrast < (isRagged ? raggedEdge : weakEdge)) return Border::Doubtful;
+  if (contrast < (isRagged ? raggedEdge / strongEdge * strong : weakEdge)) return Border::Doubtful;
   return isSteady && isStrong ? Border::Clear : isSteady || isStrong ? Border::Fair : Border::Doubtful;
 }
 

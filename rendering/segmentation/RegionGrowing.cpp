@@ -35,6 +35,7 @@ class SeedGrower {
   /// By values alone.
   std::optional<Growth> run(const RegionFocus& settings) {
     const auto region = grownByValues(seedsIn(settings.inside), seedsIn(settings.outside));
+    if (region) region->curve = curveOf(*region, {region->noise.share()});
     if (!region) return std::nullopt;
     return growthOf(region->joins, region->curve, region->noise, 0.0);
   }
@@ -54,6 +55,7 @@ class SeedGrower {
       if (!memory.first() && !(first = grownByValues({inside.front()}, {}))) return std::nullopt;
       if (!build.wait([this] { return goOn(0.8); }) || !goOn(0.8)) return std::nullopt;
       if (first) {
+        first->curve = curveOf(*first, competingEdges(volume_, first->noise));
         first->ball = settings.ball;
         first->centre = settings.inside.front();
         competitionOf(memory).decide(*first);
@@ -73,7 +75,7 @@ class SeedGrower {
     return {volume_, *memory.tissues(), memory.bones().get(), ball_};
   }
 
-  /// Empty when cancelled.
+  /// Without its curve. Empty when cancelled.
   std::shared_ptr<FirstRegion> grownByValues(const std::vector<glm::ivec3>& inside,
                                              const std::vector<glm::ivec3>& outside) const {
     ValueGrower byValues(volume_, box_);
@@ -85,8 +87,11 @@ class SeedGrower {
     region->joins = std::move(*joins);
     region->costs = byValues.takeCosts();
     region->noise = byValues.noise();
-    region->curve = growthCurve(region->joins, region->costs, volume_.grid, box_.dims(), region->noise.share());
     return region;
+  }
+
+  GrowthCurve curveOf(const FirstRegion& region, const EdgeScale& edges) const {
+    return growthCurve(region.joins, region.costs, volume_.grid, box_.dims(), edges);
   }
 
   Growth growthOf(const std::vector<Level>& joins, GrowthCurve curve, const Noise& noise, double bodyVolume) const {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <utility>
 
@@ -13,12 +14,19 @@ namespace {
 constexpr double mostCells = 3e6;
 constexpr float leastEdge = 1.0f;  ///< units of the noise: edges with less are not sharpened
 
-/// As even in mm as whole voxels allow, and no more cells than mostCells.
+/// The greatest sides that reach no farther than a length in mm, one voxel at least, and the least such length that
+/// leaves mostCells at most. Where voxels are few, each is a cell, however thick its slice is: a cell of several would
+/// be coarser in the plane than what a reader sees there.
 glm::ivec3 cellSizeOf(const Grid& grid) {
-  const double side = std::cbrt(grid.voxelVolume() * std::max(1.0, static_cast<double>(grid.voxelCount()) / mostCells));
-  glm::ivec3 size;
-  for (int axis = 0; axis < 3; ++axis)
-    size[axis] = std::clamp(static_cast<int>(std::ceil(side / grid.spacing[axis] - 1e-6)), 1, grid.dims[axis]);
+  glm::ivec3 size(1);
+  const auto countOf = [&] { return static_cast<double>(wholeOf((grid.dims + size - 1) / size).count()); };
+  while (countOf() > mostCells) {
+    double length = std::numeric_limits<double>::infinity();
+    for (int axis = 0; axis < 3; ++axis)
+      if (size[axis] < grid.dims[axis]) length = std::min(length, (size[axis] + 1) * grid.spacing[axis]);
+    for (int axis = 0; axis < 3; ++axis)
+      size[axis] = std::clamp(static_cast<int>(length / grid.spacing[axis] + 1e-6), 1, grid.dims[axis]);
+  }
   return size;
 }
 

@@ -13,7 +13,8 @@ namespace fenestra::segmentation {
 
 inline constexpr double gasBelow = -400.0;  ///< HU
 
-/// Cells as even in mm as whole voxels allow, some three million at most. Those at the far ends may hold fewer voxels.
+/// Cells of a voxel each, or, in volumes of more than three million, of several, as even in mm as these allow. Those at
+/// the far ends may hold fewer voxels.
 struct TissueCells {
   Grid grid;
   glm::ivec3 size{1};        ///< voxels along the sides of a cell

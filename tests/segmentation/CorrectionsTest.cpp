@@ -33,7 +33,7 @@ FirstRegion leakOf(const Volume& volume, glm::ivec3 seed, IsIn isIn) {
                       [&](glm::ivec3 at) { region.joins[whole.offset(at)] = isIn(at) ? Level{100} : never; });
   region.costs = byValues.takeCosts();
   region.noise = byValues.noise();
-  region.curve = growthCurve(region.joins, region.costs, volume.grid, volume.grid.dims, region.noise.share());
+  region.curve = growthCurve(region.joins, region.costs, volume.grid, volume.grid.dims, {region.noise.share()});
   beginWith(region.curve, 101);
   return region;
 }

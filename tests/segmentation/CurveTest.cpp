@@ -12,10 +12,10 @@ namespace {
 
 /// The curve of a volume whose voxels join at joinAt and cost the same.
 template <class JoinAt>
-GrowthCurve curveOf(const Grid& grid, JoinAt joinAt) {
+GrowthCurve curveOf(const Grid& grid, JoinAt joinAt, const EdgeScale& edges = {}) {
   std::vector<Level> joins;
   tests::forEachVoxel(grid.dims, [&](glm::ivec3 at) { joins.push_back(static_cast<Level>(joinAt(at))); });
-  return growthCurve(joins, joins, grid, grid.dims, 1.0);
+  return growthCurve(joins, joins, grid, grid.dims, edges);
 }
 
 /// Greatest distance to the centre along an axis.
@@ -37,6 +37,20 @@ TEST(Curve, MeasuresABlock) {
   }
   EXPECT_DOUBLE_EQ(curve.volume[101], 9261.0 * 24.0);
   EXPECT_EQ(curve.volume.size(), static_cast<std::size_t>(stepCount) + 1);
+}
+
+TEST(Curve, CountsNoMoreOfAnEdgeThanSoftTissuesDiffer) {
+  const auto contrast = [](Modality modality, double noise) {
+    Volume volume;
+    volume.modality = modality;
+    volume.range = {-1000.0, 1000.0};
+    const auto block = [](glm::ivec3 at) { return shellOf(at, glm::ivec3(10)) <= 4 ? 10 : 200; };
+    return curveOf(tests::gridOf(glm::ivec3(21)), block, competingEdges(volume, {noise, std::max(8.0, noise), 8.0}))
+        .contrast[100];
+  };
+  EXPECT_NEAR(contrast(Modality::CT, 3.0), 6.0, 1e-9) << "units of the noise";
+  EXPECT_NEAR(contrast(Modality::CT, 40.0), 2.0, 1e-9) << "80 HU";
+  EXPECT_NEAR(contrast(Modality::MR, 40.0), 6.0, 1e-9) << "no unit tells what tissues differ by";
 }
 
 TEST(Curve, BeginsOnTheFirstPlateauBeforeALeak) {
@@ -124,6 +138,15 @@ TEST(ClearestStep, ALargeRegionMustBeClearer) {
   const GrowthCurve curve = madeCurve({{10, 1e5}, {60, 2e5}, {130, 9e5}}, 3.0, 0.8);
   EXPECT_EQ(clearestStep(curve, structurePrior(1e6, false), grid)->step, 10);
   EXPECT_EQ(clearestStep(curve, structurePrior(1e6, true), grid)->step, 60);  // a lung may be as large
+}
+
+TEST(ClearestStep, MuchOfTheBodyMustBeClearerTheMoreItIs) {
+  const Grid grid = tests::gridOf(glm::ivec3(100));
+  // 1.2e5 of 1e6 mm³ stays for 70 steps, 4e4 for 50: clearer by 0.3, and 2.4 times a twentieth of the body.
+  const GrowthCurve curve = madeCurve({{10, 4e4}, {60, 1.2e5}, {130, 9e5}}, 3.0, 0.8);
+  EXPECT_EQ(clearestStep(curve, structurePrior(1e6, false), grid)->step, 10);
+  EXPECT_EQ(clearestStep(curve, structurePrior(3e6, false), grid)->step, 60);  // less than a twentieth
+  EXPECT_EQ(clearestStep(curve, structurePrior(1e6, true), grid)->step, 60);   // a lung may be as large
 }
 
 TEST(ClearestStep, ASmallerRegionOvercomesItsHandicap) {

@@ -11,7 +11,8 @@ namespace fenestra::segmentation::regionFactsTest {
 namespace {
 
 /// The facts at a step in the middle of a growth whose volume grows by `factor` from step to step, with a strong edge.
-RegionFacts factsOf(double factor, double compactness = 0.5, double contrast = 5.0, double shareOfBody = 0.001) {
+RegionFacts factsOf(double factor, double compactness = 0.5, double contrast = 5.0, double shareOfBody = 0.001,
+                    double mostRise = 6.0) {
   constexpr int step = 100;
   const Grid grid = tests::gridOf(glm::ivec3(4));
   const auto volume = tests::volumeOf<float>(grid, [](glm::ivec3 at) { return static_cast<double>(at.x); });
@@ -28,6 +29,7 @@ RegionFacts factsOf(double factor, double compactness = 0.5, double contrast = 5
   growth.curve.compactness.assign(growth.curve.contrast.size(), compactness);
   growth.curve.plateaus = {{step, step, step, 1000.0, 5.0}};
   growth.curve.automatic = step;
+  growth.curve.mostRise = mostRise;
   growth.bodyVolume = 1000.0 / shareOfBody;
   return GrowthFacts(*volume, growth).at(growth, step);
 }
@@ -53,6 +55,14 @@ TEST(RegionFacts, ARaggedRegionNeedsAStrongerEdge) {
   EXPECT_EQ(factsOf(1.01, 0.5, 2.5).border, Border::Clear);
   EXPECT_EQ(factsOf(1.01, 0.2, 2.5).border, Border::Doubtful);
   EXPECT_EQ(factsOf(1.01, 0.2, 4.0).border, Border::Clear);
+}
+
+TEST(RegionFacts, InLoudNoiseHalfOfWhatCountsIsAStrongEdge) {
+  EXPECT_EQ(factsOf(1.01, 0.5, 1.2).border, Border::Fair);
+  EXPECT_EQ(factsOf(1.01, 0.5, 1.2, 0.001, 2.0).border, Border::Clear);
+  EXPECT_EQ(factsOf(1.01, 0.5, 0.9, 0.001, 2.0).border, Border::Fair);
+  EXPECT_EQ(factsOf(1.01, 0.2, 1.4, 0.001, 2.0).border, Border::Doubtful);
+  EXPECT_EQ(factsOf(1.01, 0.2, 1.6, 0.001, 2.0).border, Border::Clear);
 }
 
 }  // namespace

@@ -141,6 +141,16 @@ TEST(TissueTree, SmallPocketsBelongToWhatEnclosesThem) {
   EXPECT_GT(bestDice(joins, thin->grid, wall), 0.9);
 }
 
+TEST(TissueCells, ThickSlicesMakeNoCellCoarserThanItHasToBe) {
+  const auto sizeIn = [](glm::ivec3 dims) {
+    const auto slope = [](glm::ivec3 at) { return static_cast<double>(at.x); };
+    return tissueCells(*volumeOf<std::int16_t>(gridOf(dims, {0.75, 0.75, 5.0}), slope)).size;
+  };
+  EXPECT_EQ(sizeIn(glm::ivec3(64, 60, 20)), glm::ivec3(1)) << "a cell a voxel";
+  // 6.4 million voxels make 1.6 million cells of 1.5 mm, which is less than a slice is thick.
+  EXPECT_EQ(sizeIn(glm::ivec3(400, 400, 40)), glm::ivec3(2, 2, 1));
+}
+
 TEST(TissueTree, CellsOfSeveralVoxelsKeepTheVoxelsEdges) {
   const glm::dvec3 centre(90.0, 80.0, 85.0);
   const auto ball = [&](glm::ivec3 at) { return inBall(at, centre, 31.0); };
