@@ -42,8 +42,8 @@ constexpr double mostForSize = 1.0;      ///< what a small size costs at most, s
 constexpr double excessWeight = 0.5;     ///< beyond the expected size, and beyond a large one
 constexpr double oversizeCost = 3.0;     ///< beyond the greatest size: more than sharpness and stay can bring
 constexpr double mostStructure = 0.15, mostGas = 0.6;  ///< of the body's volume
-/// Of the greatest size: a larger region is more often a leak. In loud noise its border with air and bone is clearer
-/// than that of an organ with its neighbours.
+/// Share of the greatest size beyond which a region is more often a leak. In loud noise its border with air and bone is
+/// clearer than that of an organ with its neighbours.
 constexpr double muchShare = 1.0 / 3.0;
 
 /// Steps over which growth is looked at: half an octave of tolerance.

@@ -19,7 +19,7 @@ constexpr double airShare = 0.02;
 // Chosen on the marked structures of tests/bench/results/growing.md, so that no more than 5 % of the regions that do
 // not leak are doubtful.
 constexpr double strongEdge = 2.0, weakEdge = 0.75;  ///< noise units, averaged over the border
-/// Of the greatest rise that counts: in loud noise, that is a strong edge.
+/// Share of the greatest rise that counts: in loud noise, that is a strong edge.
 constexpr double strongShare = 0.5;
 /// A region that is less compact is ragged, as leaks are; with a strong enough edge it may still be a long bone.
 constexpr double leastCompact = 0.25, raggedEdge = 3.0;
