@@ -230,9 +230,10 @@ std::optional<WalkRegion> Competition::clearerWalk(const FirstRegion& region, co
   if (region.isBone || region.isTube || ball_ || volume_.isInHounsfieldUnits()) return std::nullopt;
   double least = leastWalkClarity;
   if (other) {
-    const double share = region.curve.volume[static_cast<std::size_t>(other->step)] / prior.much;
-    least = std::max(
-        least, (1.0 + clearHandicap) * other->clarity + walkHandicap - muchHandicap * std::max(0.0, std::log(share)));
+    const double volume = region.curve.volume[static_cast<std::size_t>(other->step)];
+    const double share = std::max(0.0, std::log(volume / prior.much));
+    least = std::max(least, (1.0 + clearHandicap) * (other->clarity + costOfMuch(volume, prior)) + walkHandicap -
+                                muchHandicap * share);
   }
   if (least >= greatestWalkClarity) return std::nullopt;
   std::optional<WalkRegion> walk = walkRegion(volume_, region.noise, std::span(&region.seed, 1), {});

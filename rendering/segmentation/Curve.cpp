@@ -243,6 +243,10 @@ StructurePrior structurePrior(double body, bool isGas) {
   return {.usual = usualStructure * body, .most = most, .much = muchShare * most, .limit = mostGas * body};
 }
 
+double costOfMuch(double volume, const StructurePrior& prior) {
+  return volume > prior.most ? 0.0 : excessWeight * std::max(0.0, std::log(volume / prior.much));
+}
+
 std::optional<ClearestStep> clearestStep(const GrowthCurve& curve, const StructurePrior& prior, const Grid& grid,
                                          int last) {
   std::optional<ClearestStep> clearest;
@@ -259,8 +263,7 @@ std::optional<ClearestStep> clearestStep(const GrowthCurve& curve, const Structu
     const double clarity = sharpnessWeight * std::log(curve.contrast[step]) +
                            compactnessWeight * std::log(std::min(1.0, curve.compactness[step])) + stayWeight * octaves +
                            std::max(-mostForSize, sizeWeight * std::min(0.0, std::log(volume / prior.usual))) -
-                           excessWeight * (std::max(0.0, std::log(volume / prior.expected)) +
-                                           std::max(0.0, std::log(volume / prior.much))) -
+                           excessWeight * std::max(0.0, std::log(volume / prior.expected)) - costOfMuch(volume, prior) -
                            (volume > prior.most ? oversizeCost : 0.0);
     const bool isSmaller = clearest && volume < curve.volume[static_cast<std::size_t>(clearest->step)];
     if (!clearest || clarity >= chosen + (isSmaller ? prior.smallerHandicap : 0.0)) {

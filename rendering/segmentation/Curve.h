@@ -64,6 +64,9 @@ struct StructurePrior {
 /// What is expected of a structure in a body of `body` mm³. A region of gas may be larger than others: lungs take up
 /// most of what a scan of the chest shows.
 StructurePrior structurePrior(double body, bool isGas);
+/// What the clarity of a region of `volume` mm³ loses because it is larger than StructurePrior::much. Nothing where it
+/// is larger than StructurePrior::most, which costs more already.
+double costOfMuch(double volume, const StructurePrior& prior);
 
 struct ClearestStep {
   int step = 0;

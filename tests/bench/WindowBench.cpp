@@ -320,7 +320,7 @@ class Bench {
     });
     Json result{{"turned", ratesOf(times_.of(static_cast<std::size_t>(index)), start, released)},
                 {"linked", ratesOf(times_.of(static_cast<std::size_t>(1 - index)), start, released)},
-                // Of the larger picture of each frame.
+                // The larger picture of each frame counts.
                 {"mean_scale", std::accumulate(scales.begin(), scales.end(), 0.0) / static_cast<double>(scales.size())},
                 {"blocks", takeBlocks()}};
     waitUntilDrawn();

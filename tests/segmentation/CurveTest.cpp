@@ -149,6 +149,13 @@ TEST(ClearestStep, MuchOfTheBodyMustBeClearerTheMoreItIs) {
   EXPECT_EQ(clearestStep(curve, structurePrior(1e6, true), grid)->step, 60);   // a lung may be as large
 }
 
+TEST(ClearestStep, WhatIsTooLargeForAStructureCostsNoMoreForItsSize) {
+  const StructurePrior prior = structurePrior(1e6, false);
+  EXPECT_EQ(costOfMuch(4e4, prior), 0.0);
+  EXPECT_GT(costOfMuch(1.4e5, prior), costOfMuch(1e5, prior));
+  EXPECT_EQ(costOfMuch(1.6e5, prior), 0.0) << "over 15 % of the body, and charged for that";
+}
+
 TEST(ClearestStep, ASmallerRegionOvercomesItsHandicap) {
   const Grid grid = tests::gridOf(glm::ivec3(100));
   StructurePrior prior = structurePrior(1e6, false);
