@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cstring>
 #include <string_view>
 
 namespace fenestra::io {
@@ -42,8 +41,9 @@ constexpr std::array signatures{
 }  // namespace
 
 const OtherContent* otherContentOf(std::span<const std::byte> start) {
+  const std::string_view text(reinterpret_cast<const char*>(start.data()), start.size());
   const auto holds = [&](std::string_view bytes, std::size_t at) {
-    return start.size() >= at + bytes.size() && std::memcmp(start.data() + at, bytes.data(), bytes.size()) == 0;
+    return text.size() >= at && text.substr(at).starts_with(bytes);
   };
   const auto known = std::ranges::find_if(signatures, [&](const Signature& signature) {
     return holds(signature.bytes, signature.at) && holds(signature.start, 0);

@@ -106,9 +106,11 @@ TEST_F(ArchiveCommand, ResultsComeBackIdentical) {
   const std::string port = std::to_string(running->server.ownPort);
   const Result sent = run({"archive", "send", server, at("results"), "--commit", "--port", port});
   EXPECT_EQ(sent.exitCode, 0) << sent.error;
-  EXPECT_EQ(sent.json()["accepted"], 4) << sent.out;
-  EXPECT_EQ(sent.json()["committed"], 4) << sent.out;
-  for (const Json& object : sent.json()["objects"]) EXPECT_EQ(object["committed"], true) << object;
+  const Json answer = sent.json();
+  EXPECT_EQ(answer["accepted"], 4) << sent.out;
+  EXPECT_EQ(answer["committed"], 4) << sent.out;
+  EXPECT_EQ(answer["objects"].size(), 4u);
+  for (const Json& object : answer["objects"]) EXPECT_EQ(object["committed"], true) << object;
   const Result got = run(
       {"archive", "get", server, "--key", "StudyInstanceUID=" + study.uid, "-o", at("out"), "--cache", at("cache")});
   ASSERT_EQ(got.exitCode, 0) << got.error;
