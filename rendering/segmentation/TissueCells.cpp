@@ -25,7 +25,8 @@ glm::ivec3 cellSizeOf(const Grid& grid) {
     for (int axis = 0; axis < 3; ++axis)
       if (size[axis] < grid.dims[axis]) length = std::min(length, (size[axis] + 1) * grid.spacing[axis]);
     for (int axis = 0; axis < 3; ++axis)
-      size[axis] = std::clamp(static_cast<int>(length / grid.spacing[axis] + 1e-6), 1, grid.dims[axis]);
+      size[axis] =
+          static_cast<int>(std::clamp(length / grid.spacing[axis] + 1e-6, 1.0, static_cast<double>(grid.dims[axis])));
   }
   return size;
 }

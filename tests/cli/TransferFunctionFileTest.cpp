@@ -115,8 +115,7 @@ TEST(TransferFunctionFile, TissueBeginsAboveAirAndItsNoise) {
 }
 
 TEST(TransferFunctionFile, AnMrHeadStartsWithItsSkin) {
-  const std::filesystem::path file = tests::findTestData("formats/metaimage/HeadMRVolume.mhd");
-  if (file.empty()) GTEST_SKIP() << "needs the test-data file";
+  FENESTRA_TEST_DATA_OR_SKIP(file, "formats/metaimage/HeadMRVolume.mhd");
   const double surface = startingContext(*openVolume(file).volume).function.nodes.front().value;
   // The noise of air has a mean of 3, and from 26 on the face has holes.
   EXPECT_GT(surface, 10.0);

@@ -142,13 +142,15 @@ TEST(TissueTree, SmallPocketsBelongToWhatEnclosesThem) {
 }
 
 TEST(TissueCells, ThickSlicesMakeNoCellCoarserThanItHasToBe) {
-  const auto sizeIn = [](glm::ivec3 dims) {
+  const auto sizeIn = [](glm::ivec3 dims, glm::dvec3 spacing = {0.75, 0.75, 5.0}) {
     const auto slope = [](glm::ivec3 at) { return static_cast<double>(at.x); };
-    return tissueCells(*volumeOf<std::int16_t>(gridOf(dims, {0.75, 0.75, 5.0}), slope)).size;
+    return tissueCells(*volumeOf<std::int16_t>(gridOf(dims, spacing), slope)).size;
   };
   EXPECT_EQ(sizeIn(glm::ivec3(64, 60, 20)), glm::ivec3(1)) << "a cell a voxel";
   // 6.4 million voxels make 1.6 million cells of 1.5 mm, which is less than a slice is thick.
   EXPECT_EQ(sizeIn(glm::ivec3(400, 400, 40)), glm::ivec3(2, 2, 1));
+  // The sides of a cell of 10 mm: along x, where there are two voxels, more of them than an int counts would fit.
+  EXPECT_EQ(sizeIn(glm::ivec3(2, 2000, 1600), {1e-9, 5.0, 5.0}), glm::ivec3(2, 2, 2));
 }
 
 TEST(TissueTree, CellsOfSeveralVoxelsKeepTheVoxelsEdges) {

@@ -70,7 +70,7 @@ SlabSums nothing() {
 
 template <class T>
 void expectAlike(std::vector<T> voxels) {
-  // That one is held by TheOneForAnyProcessorIsRight.
+  // There is nothing to compare with then; TheOneForAnyProcessorIsRight tests the general kernel.
   if (slabKernels(true, sizeof(T) == 2).size() == 1) GTEST_SKIP() << "this processor runs the general kernel alone";
   SlabBox box;
   box.voxels = voxels.data();

@@ -20,8 +20,8 @@
 namespace fenestra::viewer {
 namespace {
 
-/// Milliseconds of a trial picture between two looks at whether it is to stop: short enough for a window that waits,
-/// and long enough for whole tiles. A limit of 0 cuts every pass into single groups, each of them waited for.
+/// Milliseconds of a trial picture until it is asked again whether to stop: short enough for a window that waits, and
+/// long enough for whole tiles. A limit of 0 cuts every pass into single groups, each of them waited for.
 constexpr double trialSlice = 12.0;
 
 /// The parameters of the chosen method that decide on programs; all others have their defaults.
