@@ -330,7 +330,14 @@ void GpuScene::updateFocusTables(std::vector<TransferFunction> functions) {
 
 void GpuScene::uploadFocusTable(std::size_t i) {
   const TransferFunction& function = focusFunctions_[i];
-  uploadTables(TransferTables(function, tableSpan(function, shown_.volume->range, tableSize), tableSize), 1 + i);
+  const ValueRange span = tableSpan(function, shown_.volume->range, tableSize);
+  uploadTables(TransferTables(tabled(function, span), span, tableSize), 1 + i);
+}
+
+TransferFunction GpuScene::tabled(const TransferFunction& function, ValueRange span) const {
+  const double perEntry = (span.high - span.low) / (tableSize - 1);
+  const BrickRanges& bricks = refinement_ > 1 ? voxelBricks_ : bricks_;
+  return withLoweredSteps(function, perEntry, [&](double value) { return holdsRegionOf(value, bricks, perEntry); });
 }
 
 void GpuScene::uploadTables(const TransferTables& tables, std::size_t function) {
@@ -341,7 +348,11 @@ void GpuScene::uploadTables(const TransferTables& tables, std::size_t function) 
 
 void GpuScene::updateSegments() {
   const auto segmentsOf = [&](const TransferFunction& function) {
-    return TransferSegments(function, tableSpan(function, shown_.volume->range, tableSize), tableSize);
+    const ValueRange span = tableSpan(function, shown_.volume->range, tableSize);
+    // Equal values stay equal where they are interpolated, but for a unit in the last place or two; the map and its
+    // float32 factors add four roundings of half a unit, 2^-24, of the terms that it adds.
+    const double terms = tableSize + std::abs(tableMap(span, volumeTexture_).y);
+    return TransferSegments(function, span, tableSize, std::ldexp(8.0 * terms, -24));
   };
   TransferSegments all = segmentsOf(context_);
   for (const TransferFunction& function : focusFunctions_) all.append(segmentsOf(function));
@@ -387,7 +398,7 @@ bool GpuScene::updateTransfer() {
   preIntegration_ = {};
   updateGaps();
   const ValueRange span = tableSpan(context_, shown_.volume->range, tableSize);
-  const TransferTables tables(context_, span, tableSize);
+  const TransferTables tables(tabled(context_, span), span, tableSize);
   const int rows = rowsPerFunction * static_cast<int>(1 + focusFunctions_.size());
   if (!transferTables_ || transferTables_.size().y != rows) {
     transferTables_ = gl::Texture::make2D(gl::Format::RGBA32F, {tableSize, rows});
@@ -409,7 +420,8 @@ const gl::Texture& GpuScene::preIntegration() const {
   double longest = 0.0;
   for (const glm::dvec3 diagonal : {glm::dvec3(1, 1, 1), {1, 1, -1}, {1, -1, 1}, {-1, 1, 1}})
     longest = std::max(longest, glm::length(cell * diagonal));
-  const PreIntegration made(context_, tableSpan(context_, shown_.volume->range, tableSize), tableSize, longest);
+  const ValueRange span = tableSpan(context_, shown_.volume->range, tableSize);
+  const PreIntegration made(tabled(context_, span), span, tableSize, longest);
   preIntegration_ = made.texture();
   preIntegrationLevel_ = made.firstLevel;
   return preIntegration_;

@@ -28,6 +28,23 @@ glm::dvec4 integrateEmission(const TransferFunction& function, double low, doubl
   return integral;
 }
 
+TransferFunction withLoweredSteps(const TransferFunction& function, double perEntry,
+                                  const std::function<bool(double)>& isOfRegions) {
+  TransferFunction lowered;
+  for (auto node = function.nodes.begin(); node != function.nodes.end();) {
+    const auto end =
+        std::find_if(node, function.nodes.end(), [&](const auto& other) { return other.value > node->value; });
+    const double below = node->value - loweredSteps * perEntry;
+    const double value = lowered.nodes.empty() ? below : std::max(below, lowered.nodes.back().value);
+    if (std::distance(node, end) > 1 && isOfRegions(node->value))
+      for (; node != end; ++node) lowered.nodes.push_back({value, node->properties});
+    if (node == end) --node;  // from the step's own value on, the function is as it was
+    lowered.nodes.insert(lowered.nodes.end(), node, end);
+    node = end;
+  }
+  return lowered;
+}
+
 TransferTables::TransferTables(const TransferFunction& function, ValueRange span, int size) {
   const double perEntry = (span.high - span.low) / (size - 1);
   glm::dvec4 integral(0.0);
@@ -52,27 +69,28 @@ glm::vec2 TransferTables::visible() const {
           last == properties.size() ? infinity : static_cast<float>(last)};
 }
 
-TransferSegments::TransferSegments(const TransferFunction& function, ValueRange span, int size) {
+TransferSegments::TransferSegments(const TransferFunction& function, ValueRange span, int size, double hair) {
   constexpr float far = 1e30f;
   const double perReal = (size - 1) / (span.high - span.low);
   const auto entryOf = [&](const TransferFunction::Node& node) { return (node.value - span.low) * perReal; };
   const auto material = [](const OpticalProperties& p) { return glm::dvec4(p.colour, p.extinction); };
+  const auto endAt = [hair](double entry) { return static_cast<float>(entry - hair); };
   float low = -far;
   const auto add = [&](float high, double anchor, glm::dvec4 there, glm::dvec4 slope) {
     if (!(high > low)) return;  // a step
-    segments.push_back({glm::vec4(low, high, anchor, 0.0f), glm::vec4(there), glm::vec4(slope)});
+    segments.push_back({glm::vec4(low, high, anchor, hair), glm::vec4(there), glm::vec4(slope)});
     low = high;
   };
   const std::vector<TransferFunction::Node>& nodes = function.nodes;
   const auto constant = [&](float high, const OpticalProperties& there) {
     add(high, 0.0, material(there), glm::dvec4(0.0));
   };
-  constant(nodes.empty() ? far : static_cast<float>(entryOf(nodes.front())),
+  constant(nodes.empty() ? far : endAt(entryOf(nodes.front())),
            nodes.empty() ? OpticalProperties() : nodes.front().properties);
   for (std::size_t i = 0; i + 1 < nodes.size(); ++i) {
     const double from = entryOf(nodes[i]), to = entryOf(nodes[i + 1]);
     const glm::dvec4 a = material(nodes[i].properties), b = material(nodes[i + 1].properties);
-    add(static_cast<float>(to), from, a, (b - a) / (to - from));
+    add(endAt(to), from, a, (b - a) / (to - from));
   }
   if (!nodes.empty()) constant(far, nodes.back().properties);
   std::uint32_t segment = 0;
@@ -123,7 +141,8 @@ std::vector<glm::vec2> codedGaps(const TransferFunction& function, const std::ve
 ValueRange tableSpan(const TransferFunction& function, ValueRange otherwise, int size) {
   ValueRange span = otherwise;
   if (!function.nodes.empty()) span = {function.nodes.front().value, function.nodes.back().value};
-  const double margin = span.high > span.low ? (span.high - span.low) / (size - 3) : 0.5;
+  const double beyond = spanBeyondNodes, between = size - 1 - 2.0 * beyond;  // entries
+  const double margin = span.high > span.low ? (span.high - span.low) * beyond / between : 0.5;
   return {span.low - margin, span.high + margin};
 }
 

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 #include <glm/glm.hpp>
@@ -17,6 +18,16 @@ namespace fenestra {
 /// these units times that of values.
 glm::dvec4 integrateEmission(const TransferFunction& function, double low, double high);
 
+/// How many entries below their values draft and normal quality hold some steps, and how many entries the tables span
+/// beyond the outermost nodes. These qualities round entries by up to 8.
+inline constexpr int loweredSteps = 9, spanBeyondNodes = 16;
+
+/// The function with its steps at values that whole regions of a volume have that much lower, but no lower than the
+/// node before: however an entry is rounded, such a region shows what TransferFunction::evaluate() has there, the
+/// material above the step. `perEntry`: real values an entry.
+TransferFunction withLoweredSteps(const TransferFunction& function, double perEntry,
+                                  const std::function<bool(double)>& isOfRegions);
+
 /// Rows of `size` entries, evenly spaced over `span` (real values): emission (colour · extinction) and extinction
 /// (1/mm), and their integrals from the first entry on (entries/mm).
 struct TransferTables {
@@ -28,12 +39,18 @@ struct TransferTables {
 };
 
 /// A transfer function from node to node, without the tables' rounding; shaders/lib/TransferSegments.glsl reads it.
+///
+/// Where many voxels have the value of a step, the side on which rounding puts them decides over all of what they show.
+/// TransferFunction::evaluate() gives a step's value the material above it. Segments therefore begin and end a hair
+/// below the nodes: further than rounding moves an entry.
 struct TransferSegments {
-  /// In order: the ends and an anchor (entries); colour and extinction (1/mm) at the anchor; their slopes (an entry).
+  /// In order: the ends, an anchor, and the hair (entries); colour and extinction (1/mm) at the anchor; their slopes
+  /// (an entry).
   std::vector<std::array<glm::vec4, 3>> segments;
   std::vector<std::uint32_t> ofEntry;  ///< the segment that holds each entry of the tables
 
-  TransferSegments(const TransferFunction& function, ValueRange span, int size);
+  /// `hair`: more than what rounding makes of entries that shaders compute (entries).
+  TransferSegments(const TransferFunction& function, ValueRange span, int size, double hair);
   /// Puts those of another function behind them.
   void append(const TransferSegments& other);
   /// Each segment's texels one below the other, `perRow` of them side by side.
@@ -45,8 +62,8 @@ struct TransferSegments {
 std::vector<glm::vec2> codedGaps(const TransferFunction& function, const std::vector<double>& thresholds,
                                  const VolumeTexture& coding);
 
-/// The values that a function's tables span: its nodes, and an entry more at either end, which stands for all that lies
-/// beyond: there the function is constant, though it may begin or end with a step. Without nodes, `otherwise`.
+/// The values that a function's tables span: its nodes, and `spanBeyondNodes` entries at either end, where the function
+/// is constant, though it may begin or end with a step. Without nodes, `otherwise`.
 ValueRange tableSpan(const TransferFunction& function, ValueRange otherwise, int size);
 
 }  // namespace fenestra

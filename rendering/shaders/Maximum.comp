@@ -92,11 +92,9 @@ void takeStretch(inout Greatest best, Ray ray, float s, float sEnd, bool onFocus
 
 // Colour and opacity of a layer of that value, of its label.
 vec4 colourOf(Greatest best) {
-  float entry = entryOf(best.value);
-  int index = segmentNear(entry);
-  Segment segment = segmentAt(index);
-  if (best.below ? entry <= segment.low : entry < segment.low) segment = segmentAt(index - 1);
-  else if (entry > segment.high) segment = segmentAt(index + 1);
+  // The lower end of a gap is a node, and what shows lies below it.
+  float entry = entryOf(best.value) - (best.below ? 2.0 * hair() : 0.0);
+  Segment segment = segmentAt(segmentOf(entry));
   vec4 material = segment.material + segment.slope * (entry - segment.anchor);
   float opacity = opacityOf(best.label) * (1.0 - exp(-max(material.a, 0.0) * thickness));
   return vec4(max(material.rgb, 0.0) * opacity, opacity);

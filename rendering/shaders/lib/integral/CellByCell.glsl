@@ -143,7 +143,7 @@ void integrateContext(inout Walk walk) {
   CellPath path = walk.path;
   if (walk.integrated == 0.0) {
     walk.normals = normalsAlong(path.cell, path.a, path.b);
-    walk.segment = segmentNear(path.entries.x);
+    walk.segment = segmentOf(path.entries.x);
     walk.parts = 0;
   }
   Section section = wholeOf(path, walk.normals);

@@ -196,7 +196,7 @@ vec4 integrateSection(Section section, Ray ray, Cut cut, float transmittance, fl
     return showPart(section, ray, cut, Part(0.0, 1.0, vec4(0.0), segment), transmittance, share, bodies);
   }
   vec4 result = vec4(0.0);
-  int index = segmentNear(functionOf(section), section.entries.x), left = MOST_PARTS;
+  int index = segmentOf(functionOf(section), section.entries.x), left = MOST_PARTS;
   float from = 0.0;
   do {
     Part part = nextPart(section, from, index);
