@@ -230,7 +230,8 @@ vec4 integrateSections(CellPath path, CellNormals normals, Ray ray, Cut cut, flo
   Section section = wholeOf(path, normals);
   if (OWN_NORMALS) focusNormalsAlong(path.cell, path.a, path.b, section.normals.focus);
   vec4 result = vec4(0.0);
-  // A cubic crosses the two ends of a range at most six times; colours and labels change at three places.
+  // A cubic crosses the two ends of a range at most six times; colours and labels change at three places. Where rounding
+  // makes more of them, the last section is the rest.
   int left = 10;
   section.uTo = 0.0;
   do {
@@ -240,6 +241,7 @@ vec4 integrateSections(CellPath path, CellNormals normals, Ray ray, Cut cut, flo
     section.uTo = nextChange(path.focusAlong, section.uFrom);
     if (section.inFocus) section.uTo = min(section.uTo, nextColour(path.a, path.b, section.uFrom));
     else section.uTo = min(section.uTo, nextLabel(path.a, path.b, section.uFrom));
+    if (--left == 0) section.uTo = 1.0;
     section.sFrom = mix(path.sFrom, path.sTo, section.uFrom);
     section.sTo = mix(path.sFrom, path.sTo, section.uTo);
     section.entries = bernsteinBetween(path.entries, section.uFrom, section.uTo);
@@ -250,6 +252,6 @@ vec4 integrateSections(CellPath path, CellNormals normals, Ray ray, Cut cut, flo
     if (isShown(held))
       result = over(result, integrateSection(section, ray, cut, transmittance * (1.0 - result.a),
                                              share * (section.uTo - section.uFrom), bodies));
-  } while (section.uTo < 1.0 && --left > 0);
+  } while (section.uTo < 1.0);
   return result;
 }
