@@ -26,7 +26,6 @@ const float HAIR = 1e-5;  // of the way through a cell
 struct Greatest {
   float value;
   int label;
-  bool below;  // it is the lower end of a gap, where the function may end in a step
 };
 
 // Takes in a part of a path that is context, of one label, where its values are not in a gap: the greatest value of the
@@ -38,7 +37,6 @@ void take(inout Greatest best, vec4 stored, int label) {
   vec2 gap = gapAround(label, high);
   float shown = gap.x < gap.y ? gap.x : high;
   bool better = shown >= low && shown > best.value;
-  best.below = better ? gap.x < gap.y : best.below;
   best.value = better ? shown : best.value;
   best.label = better ? label : best.label;
 }
@@ -90,10 +88,20 @@ void takeStretch(inout Greatest best, Ray ray, float s, float sEnd, bool onFocus
   } while (goesOn);
 }
 
+// Whether the value is the lower end of a gap, but for rounding. The function may end there in a step, and what shows lies
+// below it.
+bool beginsGap(Greatest best) {
+  bool begins = false;
+  for (int i = 0; i < gapCount; ++i) {
+    float end = gaps[best.label * gapCount + i].x;
+    begins = begins || abs(best.value - end) <= 1e-6 * abs(end);
+  }
+  return begins;
+}
+
 // Colour and opacity of a layer of that value, of its label.
 vec4 colourOf(Greatest best) {
-  // The lower end of a gap is a node, and what shows lies below it.
-  float entry = entryOf(best.value) - (best.below ? 2.0 * hair() : 0.0);
+  float entry = entryOf(best.value) - (beginsGap(best) ? 2.0 * hair() : 0.0);
   Segment segment = segmentAt(segmentOf(entry));
   vec4 material = segment.material + segment.slope * (entry - segment.anchor);
   float opacity = opacityOf(best.label) * (1.0 - exp(-max(material.a, 0.0) * thickness));
@@ -106,7 +114,7 @@ void main() {
   vec4 before = texelFetch(focusLayer, pixel, 0);
   Ray ray = pixelRay(pixel);
   Reach reach = reachOf(pixel, ray);
-  Greatest best = Greatest(-FAR, 0, false);
+  Greatest best = Greatest(-FAR, 0);
   if (1.0 - before.a >= leastTransmittance && ray.sIn <= ray.sOut) {
     takeStretch(best, ray, reach.from, reach.to, reach.onFocus != 0u);
     takeStretch(best, ray, reach.again, ray.sOut, false);

@@ -119,6 +119,19 @@ TEST_F(MaximumPassTest, LeavesOutValuesThatDoNotShow) {
   expectMatches(scene, true, "gaps of values");
 }
 
+/// Regions of one value each, at steps up and down: what ends in a step shows as below it, what begins in one as above.
+TEST_F(MaximumPassTest, RegionsAtTheValueOfAStepShowAsTheReferences) {
+  Scene scene = waves(false);
+  scene.volume = volumeOf<std::int16_t>(scene.volume->grid, [&](glm::ivec3 i) {
+    const glm::dvec3 p = glm::dvec3(i) / 4.0;
+    return 100.0 * std::floor(5.0 + 3.9 * std::sin(p.x + 0.7 * p.z) * std::cos(p.y - 0.4 * p.x));
+  });
+  const glm::dvec3 red(0.9, 0.2, 0.1), blue(0.1, 0.3, 0.8);
+  scene.look.context.function = {
+      {{200.0, {red, 0.0}}, {300.0, {red, 0.1}}, {300.0, {blue, 0.2}}, {600.0, {blue, 0.3}}, {600.0, {red, 0.0}}}};
+  expectMatches(scene, true, "a step up and a step down");
+}
+
 TEST_F(MaximumPassTest, TakesTheFunctionsOfFaintLabels) {
   Scene scene = waves(false);
   scene.labels = labelsOf(scene.volume->grid, [](glm::ivec3 i) {
