@@ -337,7 +337,11 @@ void GpuScene::uploadFocusTable(std::size_t i) {
 TransferFunction GpuScene::tabled(const TransferFunction& function, ValueRange span) const {
   const double perEntry = (span.high - span.low) / (tableSize - 1);
   const BrickRanges& bricks = refinement_ > 1 ? voxelBricks_ : bricks_;
-  return withLoweredSteps(function, perEntry, [&](double value) { return holdsRegionOf(value, bricks, perEntry); });
+  const ValueRange range = shown_.volume->range;
+  // Regions of the least and the greatest value, such as those of a mask, may be thinner than bricks.
+  return withLoweredSteps(function, perEntry, [&](double value) {
+    return value <= range.low + perEntry || value >= range.high - perEntry || holdsRegionOf(value, bricks, perEntry);
+  });
 }
 
 void GpuScene::uploadTables(const TransferTables& tables, std::size_t function) {
