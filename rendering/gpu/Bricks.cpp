@@ -168,12 +168,6 @@ BrickRanges brickRanges(const ShownVolume& shown, WithOctants octants) {
   return result;
 }
 
-bool holdsRegionOf(double value, const BrickRanges& bricks, double tolerance) {
-  return std::ranges::any_of(bricks.ranges, [=](const ValueRange& range) {
-    return range.low >= value - tolerance && range.high <= value + tolerance;
-  });
-}
-
 std::vector<std::uint8_t> chebyshevDistance(glm::ivec3 dims, const std::vector<std::uint8_t>& occupied) {
   std::vector<std::uint8_t> distance(occupied.size());
   std::transform(occupied.begin(), occupied.end(), distance.begin(),

@@ -51,9 +51,6 @@ struct BrickRanges {
 enum class WithOctants : bool { No, Yes };
 BrickRanges brickRanges(const ShownVolume& shown, WithOctants octants = WithOctants::Yes);
 
-/// Whether all of some brick has that value, within `tolerance`.
-bool holdsRegionOf(double value, const BrickRanges& bricks, double tolerance);
-
 /// In which octants of a brick something shows: bit i for octant i.
 using OctantMask = std::uint8_t;
 inline constexpr OctantMask wholeBrick = 0xFF;

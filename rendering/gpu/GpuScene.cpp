@@ -331,17 +331,7 @@ void GpuScene::updateFocusTables(std::vector<TransferFunction> functions) {
 void GpuScene::uploadFocusTable(std::size_t i) {
   const TransferFunction& function = focusFunctions_[i];
   const ValueRange span = tableSpan(function, shown_.volume->range, tableSize);
-  uploadTables(TransferTables(tabled(function, span), span, tableSize), 1 + i);
-}
-
-TransferFunction GpuScene::tabled(const TransferFunction& function, ValueRange span) const {
-  const double perEntry = (span.high - span.low) / (tableSize - 1);
-  const BrickRanges& bricks = refinement_ > 1 ? voxelBricks_ : bricks_;
-  const ValueRange range = shown_.volume->range;
-  // Regions of the least and the greatest value, such as those of a mask, may be thinner than bricks.
-  return withLoweredSteps(function, perEntry, [&](double value) {
-    return value <= range.low + perEntry || value >= range.high - perEntry || holdsRegionOf(value, bricks, perEntry);
-  });
+  uploadTables(TransferTables(function, span, tableSize), 1 + i);
 }
 
 void GpuScene::uploadTables(const TransferTables& tables, std::size_t function) {
@@ -402,7 +392,7 @@ bool GpuScene::updateTransfer() {
   preIntegration_ = {};
   updateGaps();
   const ValueRange span = tableSpan(context_, shown_.volume->range, tableSize);
-  const TransferTables tables(tabled(context_, span), span, tableSize);
+  const TransferTables tables(context_, span, tableSize);
   const int rows = rowsPerFunction * static_cast<int>(1 + focusFunctions_.size());
   if (!transferTables_ || transferTables_.size().y != rows) {
     transferTables_ = gl::Texture::make2D(gl::Format::RGBA32F, {tableSize, rows});
@@ -425,7 +415,7 @@ const gl::Texture& GpuScene::preIntegration() const {
   for (const glm::dvec3 diagonal : {glm::dvec3(1, 1, 1), {1, 1, -1}, {1, -1, 1}, {-1, 1, 1}})
     longest = std::max(longest, glm::length(cell * diagonal));
   const ValueRange span = tableSpan(context_, shown_.volume->range, tableSize);
-  const PreIntegration made(tabled(context_, span), span, tableSize, longest);
+  const PreIntegration made(context_, span, tableSize, longest);
   preIntegration_ = made.texture();
   preIntegrationLevel_ = made.firstLevel;
   return preIntegration_;

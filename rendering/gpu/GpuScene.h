@@ -209,8 +209,6 @@ class GpuScene {
   void updateFocusTables(std::vector<TransferFunction> functions);
   void uploadFocusTable(std::size_t i);
   void uploadTables(const TransferTables& tables, std::size_t function);
-  /// A function as the tables over `span` hold it.
-  TransferFunction tabled(const TransferFunction& function, ValueRange span) const;
   void updateSegments();
   /// The texture of palette entries, by label, around the focus.
   void makePaletteIndex(const LabelMap& labels, const std::vector<std::uint8_t>& entryOf);

@@ -26,7 +26,7 @@ struct Step {
 
 }  // namespace
 
-PreIntegration::PreIntegration(const TransferFunction& function, ValueRange span, int size, double longest)
+PreIntegration::PreIntegration(const TransferFunction& exact, ValueRange span, int size, double longest)
     : rows((size + spacing - 2) / spacing + 1) {
   const auto greatest = static_cast<float>(longest / spacing);
   firstLevel = (std::bit_cast<std::int32_t>(greatest) >> droppedBits) - (levels - 1);
@@ -36,6 +36,7 @@ PreIntegration::PreIntegration(const TransferFunction& function, ValueRange span
         std::bit_cast<float>(((firstLevel + i) << droppedBits) + (1 << (droppedBits - 1)));
 
   const double perEntry = (span.high - span.low) / (size - 1);
+  const TransferFunction function = withLoweredSteps(exact, perEntry);
   std::vector<Step> steps(static_cast<std::size_t>(rows - 1));
   std::vector<double> depths(static_cast<std::size_t>(rows), 0.0);
   for (std::size_t i = 0; i < steps.size(); ++i) {

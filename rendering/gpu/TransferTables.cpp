@@ -28,15 +28,14 @@ glm::dvec4 integrateEmission(const TransferFunction& function, double low, doubl
   return integral;
 }
 
-TransferFunction withLoweredSteps(const TransferFunction& function, double perEntry,
-                                  const std::function<bool(double)>& isOfRegions) {
+TransferFunction withLoweredSteps(const TransferFunction& function, double perEntry) {
   TransferFunction lowered;
   for (auto node = function.nodes.begin(); node != function.nodes.end();) {
     const auto end =
         std::find_if(node, function.nodes.end(), [&](const auto& other) { return other.value > node->value; });
     const double below = node->value - loweredSteps * perEntry;
     const double value = lowered.nodes.empty() ? below : std::max(below, lowered.nodes.back().value);
-    if (std::distance(node, end) > 1 && isOfRegions(node->value))
+    if (std::distance(node, end) > 1)
       for (; node != end; ++node) lowered.nodes.push_back({value, node->properties});
     if (node == end) --node;  // from the step's own value on, the function is as it was
     lowered.nodes.insert(lowered.nodes.end(), node, end);
@@ -45,8 +44,9 @@ TransferFunction withLoweredSteps(const TransferFunction& function, double perEn
   return lowered;
 }
 
-TransferTables::TransferTables(const TransferFunction& function, ValueRange span, int size) {
+TransferTables::TransferTables(const TransferFunction& exact, ValueRange span, int size) {
   const double perEntry = (span.high - span.low) / (size - 1);
+  const TransferFunction function = withLoweredSteps(exact, perEntry);
   glm::dvec4 integral(0.0);
   for (int i = 0; i < size; ++i) {
     const double here = span.low + perEntry * i, next = span.low + perEntry * (i + 1);

@@ -3,7 +3,6 @@
 
 #include <array>
 #include <cstdint>
-#include <functional>
 #include <vector>
 
 #include <glm/glm.hpp>
@@ -18,22 +17,21 @@ namespace fenestra {
 /// these units times that of values.
 glm::dvec4 integrateEmission(const TransferFunction& function, double low, double high);
 
-/// How many entries below their values draft and normal quality hold some steps, and how many entries the tables span
-/// beyond the outermost nodes. These qualities round entries by up to 8.
-inline constexpr int loweredSteps = 9, spanBeyondNodes = 16;
+/// By how many entries draft and normal quality hold steps below their values, and how many entries the tables span
+/// beyond the outermost nodes. These qualities round entries by up to 8: where a whole region has the very value of a
+/// step, it shows what TransferFunction::evaluate() has there, the material above the step.
+inline constexpr double loweredSteps = 8.25;
+inline constexpr int spanBeyondNodes = 16;
 
-/// The function with its steps at values that whole regions of a volume have that much lower, but no lower than the
-/// node before: however an entry is rounded, such a region shows what TransferFunction::evaluate() has there, the
-/// material above the step. `perEntry`: real values an entry.
-TransferFunction withLoweredSteps(const TransferFunction& function, double perEntry,
-                                  const std::function<bool(double)>& isOfRegions);
+/// The function with its steps that much lower, but no lower than the node before. `perEntry`: real values an entry.
+TransferFunction withLoweredSteps(const TransferFunction& function, double perEntry);
 
-/// Rows of `size` entries, evenly spaced over `span` (real values): emission (colour · extinction) and extinction
-/// (1/mm), and their integrals from the first entry on (entries/mm).
+/// Of a function with lowered steps, rows of `size` entries, evenly spaced over `span` (real values): emission (colour
+/// · extinction) and extinction (1/mm), and their integrals from the first entry on (entries/mm).
 struct TransferTables {
   std::vector<glm::vec4> properties, integrals;
 
-  TransferTables(const TransferFunction& function, ValueRange span, int size);
+  TransferTables(const TransferFunction& exact, ValueRange span, int size);
   /// Entries up to and from which nothing shows.
   glm::vec2 visible() const;
 };
