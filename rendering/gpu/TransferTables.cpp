@@ -1,6 +1,7 @@
 #include "rendering/gpu/TransferTables.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace fenestra {
@@ -65,8 +66,9 @@ glm::vec2 TransferTables::visible() const {
   while (first < last && !shows(first)) ++first;
   while (last > first && !shows(last - 1)) --last;
   if (first == last) return {infinity, -infinity};
-  return {first == 0 ? -infinity : static_cast<float>(first) - 1.0f,
-          last == properties.size() ? infinity : static_cast<float>(last)};
+  // What ends in a step shows up to where that is, above where the tables hold it.
+  const auto end = static_cast<float>(last) + std::ceil(static_cast<float>(loweredSteps));
+  return {first == 0 ? -infinity : static_cast<float>(first) - 1.0f, last == properties.size() ? infinity : end};
 }
 
 TransferSegments::TransferSegments(const TransferFunction& function, ValueRange span, int size, double hair) {
@@ -74,7 +76,6 @@ TransferSegments::TransferSegments(const TransferFunction& function, ValueRange 
   const double perReal = (size - 1) / (span.high - span.low);
   const auto entryOf = [&](const TransferFunction::Node& node) { return (node.value - span.low) * perReal; };
   const auto material = [](const OpticalProperties& p) { return glm::dvec4(p.colour, p.extinction); };
-  const auto endAt = [hair](double entry) { return static_cast<float>(entry - hair); };
   float low = -far;
   const auto add = [&](float high, double anchor, glm::dvec4 there, glm::dvec4 slope) {
     if (!(high > low)) return;  // a step
@@ -85,12 +86,12 @@ TransferSegments::TransferSegments(const TransferFunction& function, ValueRange 
   const auto constant = [&](float high, const OpticalProperties& there) {
     add(high, 0.0, material(there), glm::dvec4(0.0));
   };
-  constant(nodes.empty() ? far : endAt(entryOf(nodes.front())),
+  constant(nodes.empty() ? far : static_cast<float>(entryOf(nodes.front())),
            nodes.empty() ? OpticalProperties() : nodes.front().properties);
   for (std::size_t i = 0; i + 1 < nodes.size(); ++i) {
     const double from = entryOf(nodes[i]), to = entryOf(nodes[i + 1]);
     const glm::dvec4 a = material(nodes[i].properties), b = material(nodes[i + 1].properties);
-    add(endAt(to), from, a, (b - a) / (to - from));
+    add(static_cast<float>(to), from, a, (b - a) / (to - from));
   }
   if (!nodes.empty()) constant(far, nodes.back().properties);
   std::uint32_t segment = 0;

@@ -32,22 +32,19 @@ struct TransferTables {
   std::vector<glm::vec4> properties, integrals;
 
   TransferTables(const TransferFunction& exact, ValueRange span, int size);
-  /// Entries up to and from which nothing shows.
+  /// Entries up to and from which nothing shows, however exact.
   glm::vec2 visible() const;
 };
 
 /// A transfer function from node to node, without the tables' rounding; shaders/lib/TransferSegments.glsl reads it.
-///
-/// Where many voxels have the value of a step, the side on which rounding puts them decides over all of what they show.
-/// TransferFunction::evaluate() gives a step's value the material above it. Segments therefore begin and end a hair
-/// below the nodes: further than rounding moves an entry.
 struct TransferSegments {
   /// In order: the ends, an anchor, and the hair (entries); colour and extinction (1/mm) at the anchor; their slopes
   /// (an entry).
   std::vector<std::array<glm::vec4, 3>> segments;
   std::vector<std::uint32_t> ofEntry;  ///< the segment that holds each entry of the tables
 
-  /// `hair`: more than what rounding makes of entries that shaders compute (entries).
+  /// `hair`: more than rounding moves the entries that shaders compute, in entries. Where all voxels of a region have
+  /// the value of a step, it keeps rounding from deciding over the region.
   TransferSegments(const TransferFunction& function, ValueRange span, int size, double hair);
   /// Puts those of another function behind them.
   void append(const TransferSegments& other);

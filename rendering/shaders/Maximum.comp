@@ -101,8 +101,10 @@ bool beginsGap(Greatest best) {
 
 // Colour and opacity of a layer of that value, of its label.
 vec4 colourOf(Greatest best) {
-  float entry = entryOf(best.value) - (beginsGap(best) ? 2.0 * hair() : 0.0);
-  Segment segment = segmentAt(segmentOf(entry));
+  float entry = entryOf(best.value);
+  int near = segmentNear(0, entry);
+  float hair = hairOf(near);
+  Segment segment = segmentAt(segmentFrom(near, entry + (beginsGap(best) ? -hair : hair)));
   vec4 material = segment.material + segment.slope * (entry - segment.anchor);
   float opacity = opacityOf(best.label) * (1.0 - exp(-max(material.a, 0.0) * thickness));
   return vec4(max(material.rgb, 0.0) * opacity, opacity);

@@ -4,8 +4,6 @@
 #include "lib/None.glsl"
 #include "lib/Transfer.glsl"
 
-// A segment begins and ends a hair below the nodes: more than rounding moves an entry. So a step's own value, which a
-// whole region may have, is in the segment above it.
 struct Segment {
   float low, high;        // entries
   float anchor;           // an entry
@@ -29,18 +27,35 @@ Segment segmentAt(int index) {
                  texelOf(transferSegments, first + ivec2(0, 2)));
 }
 
-// By how much the volume's segments begin and end below their nodes, in entries.
-float hair() { return texelOf(transferSegments, ivec2(0)).w; }
+// More than rounding moves an entry of the segment's function, in entries.
+float hairOf(int index) { return texelOf(transferSegments, firstTexelOf(index)).w; }
 
 // A segment of one material throughout.
 Segment constantSegment(vec4 material) { return Segment(-FAR, FAR, 0.0, material, vec4(0.0)); }
 
-// The segment that holds an entry. `function`: 0 is the volume's, then come those of the focus.
-int segmentOf(int function, float entry) {
-  int index = int(segmentOfEntry[function * TABLE_SIZE + int(clamp(entry, 0.0, LAST_ENTRY) + 0.5)]);
-  // Nodes may lie within half an entry. The first and the last segment have no end.
+// The segment that holds an entry, or the one beside it where a node lies within half an entry. `function`: 0 is the volume's,
+// then come those of the focus.
+int segmentNear(int function, float entry) {
+  return int(segmentOfEntry[function * TABLE_SIZE + int(clamp(entry, 0.0, LAST_ENTRY) + 0.5)]);
+}
+
+// The segment that holds an entry; above a step at its value. The first and the last segment have no end.
+int segmentFrom(int index, float entry) {
   while (entry >= endsOf(index).y) ++index;
   while (entry < endsOf(index).x) --index;
   return index;
 }
-int segmentOf(float entry) { return segmentOf(0, entry); }
+
+// Whether a path has one value, but for rounding.
+bool isEven(vec4 entries, float hair) {
+  vec4 off = abs(entries - entries.x);
+  return max(off.y, max(off.z, off.w)) <= hair;
+}
+
+// The segment in which a path begins. One that has the very value of a step throughout lies above it, as all of a mask may;
+// for others rounding moves the place where they cross it.
+int segmentOf(int function, vec4 entries) {
+  int near = segmentNear(function, entries.x);
+  float hair = hairOf(near);
+  return segmentFrom(near, entries.x + (isEven(entries, hair) ? hair : 0.0));
+}

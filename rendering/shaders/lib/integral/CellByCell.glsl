@@ -143,7 +143,7 @@ void integrateContext(inout Walk walk) {
   CellPath path = walk.path;
   if (walk.integrated == 0.0) {
     walk.normals = normalsAlong(path.cell, path.a, path.b);
-    walk.segment = segmentOf(path.entries.x);
+    walk.segment = segmentOf(0, path.entries);
     walk.parts = 0;
   }
   Section section = wholeOf(path, walk.normals);

@@ -166,7 +166,7 @@ Part nextPart(Section section, float from, inout int index) {
   part.to = 1.0;
   part.entries = bernsteinBetween(section.entries, from, 1.0);
   float low = part.segment.low, high = part.segment.high;
-  if (leavesHull(part.entries, low, high)) {
+  if (leavesHull(part.entries, low, high) && !isEven(part.entries, hairOf(index))) {
     // The front lies on the node where the part before ended: from there inwards.
     float hair = min(0.01, 0.25 * (high - low));
     part.entries.x = clamp(part.entries.x, low + hair, high - hair);
@@ -196,7 +196,7 @@ vec4 integrateSection(Section section, Ray ray, Cut cut, float transmittance, fl
     return showPart(section, ray, cut, Part(0.0, 1.0, vec4(0.0), segment), transmittance, share, bodies);
   }
   vec4 result = vec4(0.0);
-  int index = segmentOf(functionOf(section), section.entries.x), left = MOST_PARTS;
+  int index = segmentOf(functionOf(section), section.entries), left = MOST_PARTS;
   float from = 0.0;
   do {
     Part part = nextPart(section, from, index);

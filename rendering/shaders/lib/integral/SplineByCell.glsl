@@ -121,7 +121,7 @@ float shareOf(Walk walk, CellPath path) { return (path.sTo - path.sFrom) / max(w
 void integrateContext(inout Walk walk) {
   CellPath path = halfOf(walk, walk.next);
   if (walk.integrated == 0.0) {
-    walk.segment = segmentOf(path.entries.x);
+    walk.segment = segmentOf(0, path.entries);
     walk.parts = 0;
   }
   Section section = wholeOf(path, halfOf(walk.normals, walk.next));
