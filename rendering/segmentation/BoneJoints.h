@@ -20,7 +20,7 @@ struct BoneMeeting {
   void add(const BoneMeeting& other);
   /// The share of the bone's density that is missing between the parts: cartilage and joint space, blurred by the
   /// scanner, lie between two layers of dense bone; where a bone is thin, its density falls towards no border.
-  double gap() const { return side > 0.0 ? dip / side : 0.0; }
+  double gap() const { return side > 0.0 && dip > 0.0 ? dip / side : 0.0; }
 };
 
 /// By part: the parts it meets.
