@@ -27,7 +27,7 @@ struct BoneMeeting {
 using BoneMeetings = std::vector<std::unordered_map<std::uint32_t, BoneMeeting>>;
 
 /// Adds `dip` and `side` of the borders between the parts, which touch, or face each other along an axis across less
-/// than bone. `parts` is by voxel of the set, `volume` in Hounsfield units.
+/// than bone; in loud noise less what that makes of one. `parts` is by voxel of the set, `volume` in Hounsfield units.
 void addGaps(const Volume& volume, const VoxelSet& voxels, std::span<const std::uint32_t> parts,
              BoneMeetings& meetings);
 
