@@ -6,6 +6,7 @@
 #include <numeric>
 #include <unordered_map>
 
+#include "rendering/segmentation/BoneJoints.h"
 #include "rendering/segmentation/BoneVoxels.h"
 #include "rendering/segmentation/HounsfieldGuess.h"
 #include "rendering/segmentation/Morphology.h"
@@ -17,19 +18,20 @@ namespace {
 
 // Chosen on the marked structures of tests/bench/results/growing.md.
 constexpr double neckUnit = 4.0;       ///< units of the noise: the cost of a neck of half the width
+constexpr double gapWeight = 2.5;      ///< of BoneMeeting::gap(): 2 does nearly as well
 constexpr double narrowestNeck = 0.3;  ///< parts with less in common are two bones at every tolerance
 constexpr double closingRadius = 2.0;  ///< voxel sides
 constexpr double nearHalf = 50.0;      ///< mm: farther away no bone's canal begins that holds a seed
-constexpr double jointWidth = 0.7;     ///< a narrower neck is a joint, a wider one is part of a bone
+constexpr double jointCost = 0.7;      ///< neck and gap: with more it is a joint, with less part of a bone
 /// HU, and deviations of the noise: three in ten values of bone differ by more from their median, where those of blood
 /// or tissue with a contrast agent do not.
 constexpr double leastSpread = 45.0, leastNoiseSpread = 1.5, spreadQuantile = 0.7;
 
 /// Basins of the depth, and the greatest depth at which two of them meet.
 struct Watershed {
-  std::vector<std::uint32_t> leaves;                              ///< by voxel of the set
-  std::vector<float> peaks;                                       ///< by leaf: its greatest depth, mm
-  std::vector<std::unordered_map<std::uint32_t, float>> saddles;  ///< by leaf: depths where it meets others
+  std::vector<std::uint32_t> leaves;  ///< by voxel of the set
+  std::vector<float> peaks;           ///< by leaf: its greatest depth, mm
+  BoneMeetings meetings;              ///< by leaf; without gaps
 };
 
 /// From the deepest voxel on, each goes to the basin of its deepest neighbour.
@@ -56,28 +58,28 @@ Watershed watershedOf(const VoxelSet& voxels, const std::vector<float>& depths, 
     const auto own = steepest == none ? static_cast<std::uint32_t>(result.peaks.size()) : result.leaves[steepest];
     if (steepest == none) {
       result.peaks.push_back(depths[number]);
-      result.saddles.emplace_back();
+      result.meetings.emplace_back();
     }
     result.leaves[number] = own;
     for (const std::uint32_t other : near)
       if (other != own) {
-        result.saddles[own].try_emplace(other, depths[number]);
-        result.saddles[other].try_emplace(own, depths[number]);
+        result.meetings[own].try_emplace(other, BoneMeeting{depths[number]});
+        result.meetings[other].try_emplace(own, BoneMeeting{depths[number]});
       }
   }
   return result;
 }
 
-/// Merges the parts with the widest neck first.
+/// Merges the parts with the widest neck and the least gap first.
 class NeckMerger {
  public:
   NeckMerger(Watershed& watershed, double side)
-      : peaks_(watershed.peaks), saddles_(watershed.saddles), slack_(static_cast<float>(0.5 * side)) {
+      : peaks_(watershed.peaks), meetings_(watershed.meetings), slack_(0.5 * side) {
     tree.parents.assign(peaks_.size(), MergeTree::none);
     tree.heights.assign(peaks_.size(), 0.0f);
-    for (std::uint32_t a = 0; a < saddles_.size(); ++a)
-      for (const auto& [b, saddle] : saddles_[a])
-        if (a < b) push(a, b, saddle);
+    for (std::uint32_t a = 0; a < meetings_.size(); ++a)
+      for (const auto& [b, meeting] : meetings_[a])
+        if (a < b) push(a, b, meeting);
     while (const std::optional<MergePair> pair = queue_.pop())
       if (tree.parents[pair->a] == MergeTree::none && tree.parents[pair->b] == MergeTree::none) merge(*pair);
   }
@@ -85,11 +87,12 @@ class NeckMerger {
   MergeTree tree;
 
  private:
-  void push(std::uint32_t a, std::uint32_t b, float saddle) {
-    const float lesser = std::min(peaks_[a], peaks_[b]);
-    const float width = saddle + slack_ >= lesser ? 1.0f : saddle / lesser;
-    if (static_cast<double>(width) < narrowestNeck) return;
-    queue_.push({static_cast<float>(neckUnit) * (1.0f / width - 1.0f), std::min(a, b), std::max(a, b)});
+  void push(std::uint32_t a, std::uint32_t b, const BoneMeeting& meeting) {
+    const double lesser = static_cast<double>(std::min(peaks_[a], peaks_[b]));
+    const double width = meeting.depth + slack_ >= lesser ? 1.0 : meeting.depth / lesser;
+    if (meeting.depth <= 0.0 || width < narrowestNeck) return;
+    const double cost = neckUnit * (1.0 / width - 1.0 + gapWeight * meeting.gap());
+    queue_.push({static_cast<float>(cost), std::min(a, b), std::max(a, b)});
   }
 
   void merge(const MergePair& pair) {
@@ -98,24 +101,24 @@ class NeckMerger {
     tree.heights.push_back(std::max({pair.cost, tree.heights[pair.a], tree.heights[pair.b]}));
     tree.parents[pair.a] = tree.parents[pair.b] = parent;
     peaks_.push_back(std::max(peaks_[pair.a], peaks_[pair.b]));
-    saddles_.emplace_back();
-    std::unordered_map<std::uint32_t, float>& both = saddles_.back();
+    meetings_.emplace_back();
+    std::unordered_map<std::uint32_t, BoneMeeting>& both = meetings_.back();
     for (const std::uint32_t part : {pair.a, pair.b}) {
-      for (const auto& [other, saddle] : saddles_[part]) {
-        saddles_[other].erase(part);
-        if (other != pair.a && other != pair.b) both[other] = std::max(both[other], saddle);
+      for (const auto& [other, meeting] : meetings_[part]) {
+        meetings_[other].erase(part);
+        if (other != pair.a && other != pair.b) both[other].add(meeting);
       }
-      saddles_[part] = {};
+      meetings_[part] = {};
     }
-    for (const auto& [other, saddle] : both) {
-      saddles_[other][parent] = saddle;
-      push(other, parent, saddle);
+    for (const auto& [other, meeting] : both) {
+      meetings_[other][parent] = meeting;
+      push(other, parent, meeting);
     }
   }
 
   std::vector<float>& peaks_;
-  std::vector<std::unordered_map<std::uint32_t, float>>& saddles_;
-  float slack_;  ///< mm
+  BoneMeetings& meetings_;
+  double slack_;  ///< mm
   PairQueue queue_;
 };
 
@@ -152,6 +155,8 @@ std::shared_ptr<const BoneTree> BoneTree::build(const Volume& volume, const std:
   const std::vector<float> depths = depthsOf(tree->voxels_, volume.grid);
   if (goOn && !goOn()) return nullptr;
   Watershed watershed = watershedOf(tree->voxels_, depths, wholeOf(volume.grid.dims));
+  if (goOn && !goOn()) return nullptr;
+  addGaps(tree->inUnits(volume), tree->voxels_, watershed.leaves, watershed.meetings);
   if (goOn && !goOn()) return nullptr;
   NeckMerger merger(watershed, voxelSide(volume.grid));
   tree->leaves_ = std::move(watershed.leaves);
@@ -208,7 +213,7 @@ std::optional<std::vector<Level>> BoneTree::joinsOf(glm::ivec3 seed) const {
   return joins;
 }
 
-int BoneTree::lastStep() { return levelOf(neckUnit * (1.0 / jointWidth - 1.0)) + 1; }
+int BoneTree::lastStep() { return levelOf(neckUnit * jointCost) + 1; }
 
 bool BoneTree::isBone(const Volume& shown, std::span<const Level> joins, int step) const {
   const Volume& volume = inUnits(shown);

@@ -1,14 +1,18 @@
 #pragma once
 // The bones of a CT, parted where they meet in necks.
 //
-// Two bones that touch are joined by less than either is thick: by a facet, a costal joint, a gap of cartilage that the
-// scanner blurs. So the dense voxels (BoneVoxels.h) are parted into the basins of their depth, a watershed, and the
-// basins merge two by two, as the tissues of TissueTree.h do, those with the widest neck first. Two parts merge at the
+// Two bones that touch are joined by less than either is thick: by a facet, a costal joint. Between them lies
+// cartilage, which the scanner blurs to a bridge that is dense enough for bone, but darker than the bone on both sides.
+// So the dense voxels (BoneVoxels.h) are parted into the basins of their depth, a watershed, and the basins merge two
+// by two, as the tissues of TissueTree.h do, those with the widest neck and the least gap first. Two parts merge at the
 // cost
 //
-//   neckUnit · (1 / width - 1), width: the greatest depth of their common border ÷ the lesser of their greatest depths
+//   neckUnit · (1 / width - 1 + gapWeight · gap), width: the greatest depth of their common border ÷ the lesser of
+//   their greatest depths; gap: the share of the bone's density that the border lacks (BoneJoints.h)
 //
-// and at none where the border is half a voxel less deep than the lesser part at most. The program's own formula.
+// The width is 1 where the border is half a voxel less deep than the lesser part at most. Necks alone took the thin
+// middle of a hip bone for a joint, and the hip joint, whose surfaces touch widely, for none. The program's own
+// formula.
 
 #include <cstdint>
 #include <functional>

@@ -18,9 +18,9 @@ namespace {
 
 // Chosen on the marked structures of tests/bench/results/growing.md.
 constexpr double tissuesHandicap = 0.25;  ///< of the clarity: a region by tissues must be clearer by this much
-/// A part of a bone must be clearer than the whole bone by this much: some bones are as thin within as at their joints,
-/// so that a part may be clearer.
-constexpr double boneHandicap = 0.5;
+/// A part of a bone must be clearer than the largest one that crosses no joint by this much: a part is more compact, so
+/// that it is often clearer, and joints tell more than borders where a bone ends.
+constexpr double boneHandicap = 1.0;
 constexpr double marrowShare = 0.9;    ///< of a region that lies in a bone
 constexpr double leastOfBorder = 1.0;  ///< deviations of the noise, of a border
 constexpr double loudNoise = 2.0;      ///< differences that the eye tells apart

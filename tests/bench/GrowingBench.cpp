@@ -1,8 +1,9 @@
-// growing-bench FOLDER [PART-OF-A-NAME] [--seeds N] [--steadiness]: grows structures of the labelled data and of the
-// phantoms from random seeds, compares them with their labels, takes times on a head, and writes growing.md to FOLDER.
-// growing-outcomes.txt beside it keeps what each seed came to: a run that was stopped goes on, and more seeds add to
-// it. Or it grows them from neighbouring seeds, in noise and thick slices, and writes growing-steadiness.md. With a
-// part of a name, only the structures that hold it.
+// growing-bench FOLDER [PART-OF-A-NAME …] [--seeds N] [--steadiness] [--clicks]: grows structures of the labelled data
+// and of the phantoms from random seeds, compares them with their labels, takes times on a head, and writes growing.md
+// to FOLDER. growing-outcomes.txt beside it keeps what each seed came to: a run that was stopped goes on, and more
+// seeds add to it. Or it grows them from neighbouring seeds, in noise and thick slices, and writes
+// growing-steadiness.md. With parts of names, only the structures that hold one of them, and no times. --clicks
+// compares versions in little time.
 
 #include <algorithm>
 #include <array>
@@ -28,6 +29,7 @@
 #include "rendering/segmentation/RegionFacts.h"
 #include "rendering/segmentation/RegionGrowing.h"
 #include "rendering/segmentation/Smoothing.h"
+#include "tests/bench/GrowingClicks.h"
 #include "tests/bench/GrowingOutcomes.h"
 #include "tests/bench/GrowingSteadiness.h"
 #include "tests/bench/GrowingTruths.h"
@@ -137,12 +139,6 @@ Mask without(const Mask& a, const Mask& b) {
   return rest;
 }
 
-/// Over twice the structure, or over 15 % of the body where the structure is less.
-bool isLeak(double volume, const Mask& truth, double body) {
-  const double size = volumeOf(truth);
-  return volume > 2.0 * size || (size <= 0.15 * body && volume > 0.15 * body);
-}
-
 /// A seed where the region is most wrong: inside what it misses, or outside in what it should not hold.
 bool correct(RegionFocus& settings, const Mask& region, const Mask& truth) {
   const Mask wrong = without(region, truth), missed = without(truth, region);
@@ -190,9 +186,10 @@ ClickOutcome outcomeOf(const LabelledVolume& data, const Mask& truth, std::size_
 }
 
 /// Adds what `outcomes` lacks of seeds; calls `changed` after each structure.
-void measure(ClickOutcomes& outcomes, const std::string& part, int seeds, const std::function<void()>& changed) {
+void measure(ClickOutcomes& outcomes, const std::vector<std::string>& parts, int seeds,
+             const std::function<void()>& changed) {
   for (const Structure& structure : structures()) {
-    if (structure.name.find(part) == std::string::npos) continue;
+    if (!namesOne(structure, parts)) continue;
     const std::optional<LabelledVolume> data = dataOf(structure);
     if (!data) {
       std::cerr << "left out " << structure.name << ": needs " << structure.image << '\n';
@@ -327,11 +324,11 @@ void writePage(const std::filesystem::path& folder, const ClickOutcomes& outcome
   writeTimes(page);
 }
 
-void run(const std::filesystem::path& folder, const std::string& part, int seeds) {
+void run(const std::filesystem::path& folder, const std::vector<std::string>& parts, int seeds) {
   std::filesystem::create_directories(folder);
   ClickOutcomes outcomes(folder / "growing-outcomes.txt");
-  measure(outcomes, part, seeds, [&] { writePage(folder, outcomes, seeds, false); });
-  writePage(folder, outcomes, seeds, true);
+  measure(outcomes, parts, seeds, [&] { writePage(folder, outcomes, seeds, false); });
+  if (parts.empty()) writePage(folder, outcomes, seeds, true);
 }
 
 }  // namespace
@@ -339,16 +336,27 @@ void run(const std::filesystem::path& folder, const std::string& part, int seeds
 
 int main(int argc, char** argv) {
   CLI::App program{"Measures region growing against known structures and writes growing.md.", "growing-bench"};
-  std::string folder, part;
+  std::string folder;
+  std::vector<std::string> parts;
   program.add_option("FOLDER", folder, "where the page goes")->required();
-  program.add_option("PART", part, "only the structures whose names hold this");
+  program.add_option("PART", parts, "only the structures whose names hold one of these, and no times");
   int seeds = 20;
   program.add_option("--seeds", seeds, "for each structure")->check(CLI::PositiveNumber);
   bool steadiness = false;
   program.add_flag("--steadiness", steadiness, "how regions change with the seed, in noise and thick slices");
+  bool clicks = false;
+  program.add_flag("--clicks", clicks, "one click a seed, without corrections; a line each, and no page");
+  fenestra::bench::Variant variant;
+  program.add_option("--noise", variant.noise, "of the clicks' volumes: HU that are added");
+  program.add_option("--slices", variant.slices, "of the clicks' volumes: how many are averaged");
   CLI11_PARSE(program, argc, argv);
   try {
-    steadiness ? fenestra::bench::writeSteadiness(folder, part, seeds) : fenestra::run(folder, part, seeds);
+    if (steadiness)
+      fenestra::bench::writeSteadiness(folder, parts, seeds);
+    else if (clicks)
+      fenestra::bench::writeClicks(folder, parts, seeds, variant);
+    else
+      fenestra::run(folder, parts, seeds);
     return 0;
   } catch (const std::exception& error) {
     std::cerr << "growing-bench: " << error.what() << '\n';

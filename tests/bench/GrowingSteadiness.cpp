@@ -16,54 +16,8 @@ namespace {
 
 using namespace segmentation;
 
-/// A change of a labelled volume before a click.
-struct Variant {
-  std::string name;
-  double noise = 0.0;  ///< HU, standard deviation
-  int slices = 1;      ///< of the volume's, averaged
-};
 const std::vector<Variant> variants{{"as it is"},    {"10 HU", 10.0},      {"20 HU", 20.0},
                                     {"40 HU", 40.0}, {"2 slices", 0.0, 2}, {"4 slices", 0.0, 4}};
-
-LabelledVolume changed(const LabelledVolume& from, const Variant& variant) {
-  const auto volume = std::make_shared<Volume>();
-  volume->grid = from.volume->grid;
-  volume->grid.dims.z /= variant.slices;
-  // The centre of the first slice is that of those it stands for.
-  const double shift = 0.5 * (variant.slices - 1) * volume->grid.spacing.z;
-  volume->grid.origin += volume->grid.direction[2] * shift;
-  volume->grid.spacing.z *= variant.slices;
-  volume->modality = from.volume->modality;
-  volume->unit = from.volume->unit;
-  volume->windows = from.volume->windows;
-  volume->voxels = Voxels(ScalarType::Float32, volume->grid.voxelCount());
-  const auto labels = std::make_shared<LabelMap>();
-  labels->grid = volume->grid;
-  labels->labels = from.labels->labels;
-  labels->voxels = Voxels(ScalarType::UInt16, volume->grid.voxelCount());
-  std::mt19937 random(7);
-  std::normal_distribution<double> noise(0.0, 1.0);
-  const VoxelBox whole = wholeOf(volume->grid.dims);
-  from.labels->voxels.visit([&](auto values) {
-    for (std::size_t i = 0; i < whole.count(); ++i) {
-      const glm::ivec3 at = whole.at(i);
-      double sum = 0.0;
-      std::map<int, int> counts;
-      for (int slice = 0; slice < variant.slices; ++slice) {
-        const glm::ivec3 source(at.x, at.y, at.z * variant.slices + slice);
-        sum += from.volume->value(source);
-        ++counts[static_cast<int>(values[from.volume->grid.offset(source)])];
-      }
-      const auto most = std::max_element(counts.begin(), counts.end(),
-                                         [](const auto& a, const auto& b) { return a.second < b.second; });
-      const double value = sum / variant.slices + (variant.noise > 0.0 ? variant.noise * noise(random) : 0.0);
-      volume->voxels.as<float>()[i] = static_cast<float>(value);
-      labels->voxels.as<std::uint16_t>()[i] = static_cast<std::uint16_t>(most->first);
-    }
-  });
-  volume->computeRange();
-  return {volume, labels, GrowthMemory()};
-}
 
 Mask regionAt(const LabelledVolume& data, glm::ivec3 seed) {
   const Grid& grid = data.volume->grid;
@@ -110,7 +64,47 @@ void writeCell(std::ostream& page, double dice, double change) {
 
 }  // namespace
 
-void writeSteadiness(const std::filesystem::path& folder, const std::string& part, int seeds) {
+LabelledVolume changed(const LabelledVolume& from, const Variant& variant) {
+  const auto volume = std::make_shared<Volume>();
+  volume->grid = from.volume->grid;
+  volume->grid.dims.z /= variant.slices;
+  // The centre of the first slice is that of those it stands for.
+  const double shift = 0.5 * (variant.slices - 1) * volume->grid.spacing.z;
+  volume->grid.origin += volume->grid.direction[2] * shift;
+  volume->grid.spacing.z *= variant.slices;
+  volume->modality = from.volume->modality;
+  volume->unit = from.volume->unit;
+  volume->windows = from.volume->windows;
+  volume->voxels = Voxels(ScalarType::Float32, volume->grid.voxelCount());
+  const auto labels = std::make_shared<LabelMap>();
+  labels->grid = volume->grid;
+  labels->labels = from.labels->labels;
+  labels->voxels = Voxels(ScalarType::UInt16, volume->grid.voxelCount());
+  std::mt19937 random(7);
+  std::normal_distribution<double> noise(0.0, 1.0);
+  const VoxelBox whole = wholeOf(volume->grid.dims);
+  from.labels->voxels.visit([&](auto values) {
+    for (std::size_t i = 0; i < whole.count(); ++i) {
+      const glm::ivec3 at = whole.at(i);
+      double sum = 0.0;
+      std::map<int, int> counts;
+      for (int slice = 0; slice < variant.slices; ++slice) {
+        const glm::ivec3 source(at.x, at.y, at.z * variant.slices + slice);
+        sum += from.volume->value(source);
+        ++counts[static_cast<int>(values[from.volume->grid.offset(source)])];
+      }
+      const auto most = std::max_element(counts.begin(), counts.end(),
+                                         [](const auto& a, const auto& b) { return a.second < b.second; });
+      const double value = sum / variant.slices + (variant.noise > 0.0 ? variant.noise * noise(random) : 0.0);
+      volume->voxels.as<float>()[i] = static_cast<float>(value);
+      labels->voxels.as<std::uint16_t>()[i] = static_cast<std::uint16_t>(most->first);
+    }
+  });
+  volume->computeRange();
+  return {volume, labels, GrowthMemory()};
+}
+
+void writeSteadiness(const std::filesystem::path& folder, const std::vector<std::string>& parts, int seeds) {
   std::filesystem::create_directories(folder);
   std::ofstream page(folder / "growing-steadiness.md");
   page << "# Clicks in noise and thick slices\n\nMedian Dice of a click over " << seeds
@@ -125,7 +119,7 @@ void writeSteadiness(const std::filesystem::path& folder, const std::string& par
   std::map<std::pair<std::string, std::string>, LabelledVolume> made;
   std::map<std::string, Medians> all;  // by variant
   for (const Structure& structure : structures()) {
-    if (structure.name.find(part) == std::string::npos) continue;
+    if (!namesOne(structure, parts)) continue;
     const std::optional<LabelledVolume> data = dataOf(structure);
     if (!data || !data->volume->isInHounsfieldUnits()) continue;
     page << "| " << structure.name << " |";

@@ -128,6 +128,17 @@ std::optional<LabelledVolume> dataOf(const Structure& structure) {
   return opened[structure.image] = data;
 }
 
+bool namesOne(const Structure& structure, const std::vector<std::string>& parts) {
+  return parts.empty() || std::ranges::any_of(parts, [&](const std::string& part) {
+           return structure.name.find(part) != std::string::npos;
+         });
+}
+
+bool isLeak(double volume, const Mask& truth, double body) {
+  const double size = volumeOf(truth);
+  return volume > 2.0 * size || (size <= 0.15 * body && volume > 0.15 * body);
+}
+
 Mask truthOf(const Structure& structure, const LabelMap& labels) {
   Mask truth = maskOf(labels, structure.values.front());
   for (const std::uint16_t value : structure.values) {

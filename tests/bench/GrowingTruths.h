@@ -29,6 +29,8 @@ struct Structure {
   bool tuned = false;  ///< constants were chosen on it
 };
 std::vector<Structure> structures();
+/// Whether the name holds one of the parts; true without any.
+bool namesOne(const Structure& structure, const std::vector<std::string>& parts);
 
 struct LabelledVolume {
   std::shared_ptr<const Volume> volume;
@@ -45,6 +47,8 @@ std::vector<std::size_t> innerVoxels(const segmentation::Mask& truth);
 segmentation::Mask partWith(std::size_t seed, const segmentation::Mask& all);
 glm::dvec3 worldOf(const Grid& grid, std::size_t offset);
 
+/// Over twice the structure, or over 15 % of the body where the structure is less; `volume` and `body` in mm³.
+bool isLeak(double volume, const segmentation::Mask& truth, double body);
 double diceOf(const segmentation::Mask& mask, const segmentation::Mask& truth);
 /// `values` is not empty.
 double median(std::vector<double> values);
