@@ -7,7 +7,7 @@ in vec2 at;
 out vec4 colour;
 uniform sampler2D picture;
 
-// Of the texels from the one before the first to the second one behind it; `f`: from the first to the place.
+// Weights of the texels from the one before the first to the second one behind it; `f`: from the first to the place.
 vec4 weights(float f) {
   vec4 x = abs(f - vec4(-1.0, 0.0, 1.0, 2.0)), near = ((7.0 * x - 12.0) * x * x + 16.0 / 3.0) / 6.0;
   vec4 far = (((-7.0 / 3.0 * x + 12.0) * x - 20.0) * x + 32.0 / 3.0) / 6.0;
