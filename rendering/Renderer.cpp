@@ -4,6 +4,7 @@
 #include <span>
 #include <utility>
 
+#include "rendering/Enlargement.h"
 #include "rendering/Picking.h"
 #include "rendering/ReadLayers.h"
 #include "rendering/gl/Context.h"
@@ -37,10 +38,13 @@ bool Renderer::isDrawing() const { return parts_->chain.isDrawing(); }
 
 namespace {
 
+bool isEnlarged(const gl::Texture& picture, glm::ivec2 size) {
+  return picture.size().x < size.x || picture.size().y < size.y;
+}
+
 void drawOver(const Chain& chain, glm::ivec2 size) {
   const gl::Texture& picture = chain.picture();
-  const bool enlarged = picture.size().x < size.x || picture.size().y < size.y;
-  gl::ShaderProgram& program = chain.gpu().presentation(enlarged);
+  gl::ShaderProgram& program = chain.gpu().presentation(isEnlarged(picture, size));
   program.bind("picture", picture);
   program.set("background", chain.frame()->background);
   program.set("backgroundRise", chain.frame()->backgroundRise);
@@ -56,6 +60,8 @@ void turnOver(std::vector<std::uint8_t>& pixels, glm::ivec2 size) {
 
 }  // namespace
 
+glm::ivec2 Renderer::pictureSize() const { return parts_->chain.picture().size(); }
+
 void Renderer::present(std::uint32_t framebuffer, glm::ivec4 rectangle) {
   if (!parts_->chain.picture()) return;
   const gl::DrawTarget target(framebuffer, rectangle);
@@ -64,6 +70,13 @@ void Renderer::present(std::uint32_t framebuffer, glm::ivec4 rectangle) {
 
 std::vector<std::uint8_t> Renderer::readPresented(glm::ivec2 size) {
   if (!parts_->chain.picture()) return {};
+  const gl::Texture& picture = parts_->chain.picture();
+  if (gl::isSoftwareRasteriser() && isEnlarged(picture, size)) {
+    const Frame& frame = *parts_->chain.frame();
+    std::vector<glm::vec4> values(picture.bytes() / sizeof(glm::vec4));
+    picture.readInto(std::span(values));
+    return enlarged(values, picture.size(), size, PlainBackground{frame.background, frame.backgroundRise});
+  }
   const gl::Texture image = gl::Texture::make2D(gl::Format::BGRA8, size);
   {
     const gl::DrawTarget target(image);

@@ -42,6 +42,8 @@ class Renderer {
   /// Forgets it.
   void drop();
 
+  glm::ivec2 pictureSize() const;  ///< rendered pixels of the last picture; 0 where there is none
+
   /// Draws the last picture into `framebuffer` (an OpenGL name; QOpenGLWidget's is not 0), stretched over the rectangle
   /// x, y (from the bottom left), width, height; smoothly where that enlarges it. Restores the state it changes.
   void present(std::uint32_t framebuffer, glm::ivec4 rectangle);

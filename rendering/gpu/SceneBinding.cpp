@@ -78,8 +78,11 @@ void bindLabels(const KeptLabels& labels, gl::ShaderProgram& program) {
   program.set(FocusUniforms());
 }
 
-void bindFirstHit(const GpuScene& scene, gl::ShaderProgram& program) {
-  bindVolume(scene, program);
+void bindFirstHit(const GpuScene& scene, gl::ShaderProgram& program, HitSurface surface) {
+  if (surface == HitSurface::Samples)
+    bindTexels(scene, program);
+  else
+    bindVolume(scene, program);
   bindFocus(scene, program);
   program.bind("contextSkip", scene.contextSkip());
   if (scene.focusKind() != FocusIndex::Kind::None) program.bind("focusSkip", scene.focusSkip());

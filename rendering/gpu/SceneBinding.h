@@ -26,8 +26,8 @@ void bindLabels(const KeptLabels& labels, gl::ShaderProgram& program);
 void bindLabelHits(const GpuScene& scene, const KeptLabels& labels, gl::ShaderProgram& program);
 
 /// What rays that look for first hits skip and leave (lib/FirstHit.glsl), with volume and focus. Without bindFaint()
-/// no label is translucent.
-void bindFirstHit(const GpuScene& scene, gl::ShaderProgram& program);
+/// no label is translucent. `surface`: the program's.
+void bindFirstHit(const GpuScene& scene, gl::ShaderProgram& program, HitSurface surface = HitSurface::Exact);
 
 /// What rays that look for the context skip and leave (lib/Search.glsl), with the volume's texels and the function's
 /// segments (lib/TransferSegments.glsl). For programs of sampledVariant(scene).

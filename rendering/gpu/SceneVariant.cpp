@@ -107,7 +107,8 @@ gl::Variant volumeVariant(const GpuScene& scene) {
   return gridVariant(scene) + gl::Variant{{}, {{"volume", "lib/volume/Spline.glsl"}}};
 }
 
-gl::Variant searchVariant(const GpuScene& scene) {
+gl::Variant searchVariant(const GpuScene& scene, HitSurface surface) {
+  if (surface == HitSurface::Samples) return sampledVariant(scene) + gl::Variant{{}, {{"look", "lib/look/Cell.glsl"}}};
   return volumeVariant(scene) +
          gl::Variant{{}, {{"look", scene.refinement() > 1 ? "lib/look/SplineCell.glsl" : "lib/look/Cell.glsl"}}};
 }

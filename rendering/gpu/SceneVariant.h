@@ -16,8 +16,11 @@ gl::Variant gridVariant(const GpuScene& scene);
 gl::Variant sampledVariant(const GpuScene& scene);
 /// <grid> and <volume>, with <voxels>: of a spline, the spline itself.
 gl::Variant volumeVariant(const GpuScene& scene);
+/// Where rays meet a volume that is a spline: the spline itself, or what lies between its samples (RefinedVolume.h),
+/// trilinear, which takes two thirds of the time.
+enum class HitSurface : std::uint8_t { Exact, Samples };
 /// As volumeVariant(), for lib/FirstHit.glsl: also <look>.
-gl::Variant searchVariant(const GpuScene& scene);
+gl::Variant searchVariant(const GpuScene& scene, HitSurface surface = HitSurface::Exact);
 /// <derivative>.
 gl::Choice derivativeChoice(const GpuScene& scene);
 

@@ -5,6 +5,7 @@
 #include "rendering/gl/Texture.h"
 #include "rendering/gpu/GpuScene.h"
 #include "rendering/gpu/RayFrame.h"
+#include "rendering/gpu/SceneVariant.h"
 #include "rendering/passes/Steps.h"
 
 namespace fenestra {
@@ -20,13 +21,13 @@ class HitPointPass {
       : programs_("HitPoints.comp", programs) {}
   /// Writes RG32F (s_context, s_focus) for the pixels from `offset` on, as many as `hitPoints` has.
   void run(Steps& steps, const GpuScene& scene, const RayFrame& rays, gl::Texture& hitPoints,
-           glm::ivec2 offset = glm::ivec2(0));
+           glm::ivec2 offset = glm::ivec2(0), HitSurface surface = HitSurface::Exact);
   /// Writes a part of the image, which belongs to scattered rays.
   void run(Steps& steps, const GpuScene& scene, const RayFrame& rays, const gl::Region& region, gl::Texture& hitPoints);
 
  private:
   void add(Steps& steps, const GpuScene& scene, const RayFrame& rays, const gl::Region& region, gl::Texture& hitPoints,
-           glm::ivec2 offset);
+           glm::ivec2 offset, HitSurface surface);
 
   gl::ShaderVariants programs_;
 };

@@ -124,6 +124,23 @@ std::optional<Camera> Camera::aimedAt(glm::dvec3 point) const {
   return aimed;
 }
 
+Camera Camera::widened(glm::ivec2 from, glm::ivec2 to) const {
+  const Axes a = axes();
+  const bool parallel = projection == Projection::Orthographic;
+  const double distance = glm::distance(eye, target), tangent = std::tan(glm::radians(verticalFov) * 0.5);
+  const double pixel = (parallel ? orthographicHeight : 2.0 * tangent * distance) / from.y;  // mm at the target
+  const glm::dvec2 shift = 0.5 * pixel * glm::dvec2(to - from);
+  Camera wider = *this;
+  if (parallel) {
+    wider = panned(shift.x, -shift.y);
+    wider.orthographicHeight *= static_cast<double>(to.y) / from.y;
+    return wider;
+  }
+  wider.target += shift.x * a.right - shift.y * a.up;
+  wider.verticalFov = glm::degrees(2.0 * std::atan(tangent * to.y / from.y));
+  return wider;
+}
+
 Camera Camera::beside() const {
   Camera camera = orbited(glm::half_pi<double>(), 0.0);
   camera.up = {0.0, 0.0, 1.0};

@@ -54,6 +54,11 @@ struct Camera {
   /// rays are parallel; empty where it does not lie before the eye.
   std::optional<Camera> aimedAt(glm::dvec3 point) const;
 
+  /// This camera for a picture of `to` pixels whose first ones, from the top left, are those of this one's picture of
+  /// `from`, a pixel or two smaller. In perspective it turns by half of what is added, which shifts pixels at the
+  /// border by a tenth of one.
+  Camera widened(glm::ivec2 from, glm::ivec2 to) const;
+
   /// The second camera of a pair: a quarter turn to this one's right, the patient upright. For an anterior view it
   /// looks from the patient's left.
   Camera beside() const;

@@ -11,6 +11,7 @@ struct HitKey {
   Camera camera;
   glm::ivec2 size;
   Clip clip;
+  HitSurface surface;
   bool operator==(const HitKey&) const = default;
 };
 

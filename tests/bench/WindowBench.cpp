@@ -135,6 +135,8 @@ class Bench {
 
   Json run() {
     Json result = start();
+    const QSize size = window_.views().volumeViews().front()->size();
+    result["view_size"] = {size.width(), size.height()};
     for (int view = 0; view < 2; ++view) result[view == 0 ? "turn_C1" : "turn_C2"] = turn(view);
     result["edit_transfer_function"] = edit();
     result["presets"] = presets();

@@ -58,6 +58,23 @@ TEST_F(ReconstructionTest, HitsDifferFromThoseOfTrilinearValues) {
             0.01);
 }
 
+TEST_F(ReconstructionTest, DraftsMeetWhatLiesBetweenTheSplinesSamples) {
+  const Grid grid = gridOf({14, 12, 13}, glm::dvec3(3.0));
+  Scene scene = coarse(grid, Reconstruction::Cubic);
+  scene.look.focus = LabelFocus{{1}};
+  const auto hitsOf = [&](Quality quality) {
+    Renderer renderer(std::make_shared<GpuScene>());
+    renderer.render(scene, {.camera = aside(grid), .size = size, .quality = quality});
+    return renderer.readLayers().tContext;
+  };
+  const reference::Image truth = reference::hitPoints(scene, aside(grid), size).tContext;
+  const auto draft = compareMaps(hitsOf(Quality::Draft), truth, 3.0);
+  const auto normal = compareMaps(hitsOf(Quality::Normal), truth, 3.0);
+  EXPECT_GT(draft.percentile(0.5), 10.0 * normal.percentile(0.5)) << "they are no hits of the spline";
+  // A third of a voxel apart, samples leave a ninth of the error of trilinear values, which is above 0.01 (below).
+  EXPECT_LT(draft.percentile(0.5), 0.01);
+}
+
 /// Greatest error of the finished picture, over all pixels and channels, in 1/255.
 double errorOf(const Scene& scene, const View& view, Schedule schedule, const reference::Picture& truth) {
   const auto gpu = std::make_shared<GpuScene>();

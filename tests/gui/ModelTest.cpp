@@ -292,7 +292,7 @@ TEST(FramePacer, ShrinksUntilTheFrameFitsItsBudget) {
   const Paced paced = drag(pacer, 300.0, 20.0);
   EXPECT_EQ(paced.leader.quality, Quality::Draft);
   EXPECT_LE(paced.frame, FramePacer::budget);
-  // Planned for 0.88 of it; a step down of a sixty-fourth in both scales, of about a third, takes a tenth of the time
+  // Planned for 0.92 of it; a step down of a sixty-fourth in both scales, of about a third, takes a tenth of the time
   // of pictures.
   EXPECT_GT(paced.frame, 0.8 * FramePacer::budget);
   EXPECT_GT(paced.leader.scale, paced.follower.scale) << "more of the time is the view's that is turned";

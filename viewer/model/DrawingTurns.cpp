@@ -24,6 +24,7 @@ int DrawingTurns::firstWaiting() const {
 
 void DrawingTurns::next() {
   if (const int view = firstWaiting(); view >= 0) {
+    if (served_ == std::array<bool, FramePacer::views>{}) Q_EMIT roundBegins();
     waiting_[static_cast<std::size_t>(view)] = false;
     served_[static_cast<std::size_t>(view)] = true;
     Q_EMIT turn(view);

@@ -23,6 +23,8 @@ class DrawingTurns : public QObject {
   void ask(int view);
 
  Q_SIGNALS:
+  /// The first view of a round draws now; the pictures of the round before are on the screen.
+  void roundBegins();
   /// The view may draw now.
   void turn(int view);
   /// Every view that asked has had its turn; their pictures are to be shown now.

@@ -30,6 +30,11 @@ class FramePacer {
   static constexpr double leastScale = 0.25;
   /// Least scale of the linked view, which may be coarser: users look at the view that they turn.
   static constexpr double leastFollowingScale = 0.1875;
+  /// At half the resolution every shown pixel lies a quarter of a rendered one from the nearest ray along both sides,
+  /// at others up to half of one: such pictures are as sharp as those of a scale of 0.57.
+  static constexpr double halfScale = 0.5;
+  /// Share of the budget that frames get whose leading picture has half the resolution even so: 20 a second.
+  static constexpr double quickShare = 0.6;
   /// Milliseconds that a first picture at rest may take. Where one at full quality takes more than twice as long, a
   /// draft comes before it; otherwise a draft would be on screen for less time than it delays that picture.
   static constexpr double firstAtRest = 150.0;
@@ -83,6 +88,7 @@ class FramePacer {
   };
 
   double timeForPictures() const;
+  double timeForDrafts(double cost, int views) const;
   void note(Effort effort, double milliseconds);
 
   double budget_ = budget;

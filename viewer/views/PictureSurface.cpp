@@ -18,6 +18,12 @@ glm::ivec2 devicePixels(const QWidget& widget) {
   return glm::max(glm::ivec2(std::lround(widget.width() * ratio), std::lround(widget.height() * ratio)), glm::ivec2(1));
 }
 
+/// Device pixels that a picture covers, from the top left of a surface of `size`.
+glm::ivec2 coveredBy(const Renderer& picture, glm::ivec2 size) {
+  const glm::ivec2 half = coveredAtHalf(size);
+  return picture.pictureSize() == half / 2 ? half : size;
+}
+
 class OpenGlSurface : public QOpenGLWidget, public PictureSurface {
  public:
   OpenGlSurface(QWidget& view, Calls calls) : QOpenGLWidget(&view), calls_(std::move(calls)) {
@@ -28,7 +34,8 @@ class OpenGlSurface : public QOpenGLWidget, public PictureSurface {
   void take(Renderer&) override {}  // its texture is shared
   void show(Renderer& picture) override {
     const glm::ivec2 size = devicePixels(*this);
-    picture.present(defaultFramebufferObject(), {0, 0, size.x, size.y});
+    const glm::ivec2 covered = coveredBy(picture, size);
+    picture.present(defaultFramebufferObject(), {0, size.y - covered.y, covered.x, covered.y});
   }
   QImage grab() override { return grabFramebuffer(); }
 
@@ -46,10 +53,11 @@ class RasterSurface : public QWidget, public PictureSurface {
   QWidget& widget() override { return *this; }
   void take(Renderer& picture) override {
     const glm::ivec2 size = devicePixels(*this);
-    std::vector<std::uint8_t> pixels = picture.readPresented(size);
+    const glm::ivec2 covered = coveredBy(picture, size);
+    std::vector<std::uint8_t> pixels = picture.readPresented(covered);
     if (pixels.empty()) return;
     pixels_ = std::move(pixels);
-    image_ = QImage(pixels_.data(), size.x, size.y, QImage::Format_RGB32);
+    image_ = QImage(pixels_.data(), size.x, size.y, 4 * covered.x, QImage::Format_RGB32);
   }
   void show(Renderer&) override {
     QPainter painter(this);
@@ -57,6 +65,9 @@ class RasterSurface : public QWidget, public PictureSurface {
     const glm::ivec2 size = devicePixels(*this);
     painter.setRenderHint(QPainter::SmoothPixmapTransform, image_.size() != QSize(size.x, size.y));
     painter.drawImage(rect(), image_);
+  }
+  void tellShown() override {
+    if (std::exchange(isPainted_, false)) calls_.shown();
   }
   QImage grab() override {
     isGrabbing_ = true;
@@ -69,7 +80,10 @@ class RasterSurface : public QWidget, public PictureSurface {
   void paintEvent(QPaintEvent*) override {
     calls_.paint();
     // The window brings the painted picture onto the screen before it handles another event.
-    if (!isGrabbing_) QMetaObject::invokeMethod(this, calls_.shown, Qt::QueuedConnection);
+    if (isGrabbing_) return;
+    isPainted_ = true;
+    QMetaObject::invokeMethod(
+        this, [this] { tellShown(); }, Qt::QueuedConnection);
   }
 
  private:
@@ -77,6 +91,7 @@ class RasterSurface : public QWidget, public PictureSurface {
   std::vector<std::uint8_t> pixels_;
   QImage image_;  ///< shows pixels_ without a copy
   bool isGrabbing_ = false;
+  bool isPainted_ = false;  ///< and Calls::shown has not been called
 };
 
 }  // namespace

@@ -10,6 +10,8 @@
 
 #include <functional>
 
+#include <glm/glm.hpp>
+
 #include <QImage>
 
 class QWidget;
@@ -19,6 +21,10 @@ class Renderer;
 }
 
 namespace fenestra::viewer {
+
+/// Device pixels that a picture of half the resolution covers on a surface of `size`: an even number of both, so that
+/// each rendered pixel is exactly two shown ones wide.
+inline glm::ivec2 coveredAtHalf(glm::ivec2 size) { return 2 * ((size + 1) / 2); }
 
 class PictureSurface {
  public:
@@ -31,10 +37,13 @@ class PictureSurface {
   virtual ~PictureSurface() = default;
 
   virtual QWidget& widget() = 0;
-  /// A picture to be shown from now on. Needs the context of the pictures.
+  /// A picture to be shown from now on: stretched over the surface, or one of coveredAtHalf(), whose last row and
+  /// column may lie outside. Needs the context of the pictures.
   virtual void take(Renderer& picture) = 0;
   /// Puts the picture that was taken last, of this renderer, into the widget. Only while it is painted.
   virtual void show(Renderer& picture) = 0;
+  /// Calls Calls::shown at once where a painted picture is on the screen and the call waits behind other events.
+  virtual void tellShown() {}
   /// The widget as it looks on the screen, in device pixels.
   virtual QImage grab() = 0;
 };

@@ -102,6 +102,8 @@ void VolumeView::followScene() {
   connect(shared_.turns.get(), &DrawingTurns::turn, this, [this](int view) {
     if (view == index_ && !isPreparedDue_) draw(shownScene());
   });
+  // The frame on screen ends before the next one begins.
+  connect(shared_.turns.get(), &DrawingTurns::roundBegins, this, [this] { surface_->tellShown(); });
   connect(shared_.turns.get(), &DrawingTurns::roundEnded, this, [this] {
     if (isNew_) repaintSurface();
   });
@@ -355,9 +357,17 @@ Scene VolumeView::shownScene() const {
 
 View VolumeView::viewFor(Effort effort) const {
   const double scale = devicePixelRatioF() * effort.scale;
+  glm::ivec2 size = glm::max(glm::ivec2(glm::round(glm::dvec2(width(), height()) * scale)), glm::ivec2(1));
+  Camera camera = shownCamera();
+  if (effort.scale == FramePacer::halfScale) {
+    const glm::ivec2 shown = glm::max(glm::ivec2(glm::round(glm::dvec2(width(), height()) * devicePixelRatioF())), 1);
+    const glm::ivec2 covered = coveredAtHalf(shown);
+    camera = camera.widened(shown, covered);
+    size = covered / 2;
+  }
   return {
-      .camera = shownCamera(),
-      .size = glm::max(glm::ivec2(glm::round(glm::dvec2(width(), height()) * scale)), glm::ivec2(1)),
+      .camera = camera,
+      .size = size,
       .pixelScale = scale,
       .quality = effort.quality,
       .maxError = effort.maxError,
