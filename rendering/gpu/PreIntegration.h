@@ -31,9 +31,9 @@ struct PreIntegration {
   static constexpr int spacing = 4;  ///< entries from one row to the next
   static constexpr int mantissaBits = 1, perOctave = 1 << mantissaBits, octaves = 16, levels = perOctave * octaves;
 
-  /// Of the function with lowered steps (TransferTables.h). `size`: entries of the table over `span` (real values).
-  /// `longest` (mm): the longest segment of a ray; as two values of a segment are a row apart at least, it says what
-  /// the greatest a is.
+  /// Integrates the function with lowered steps (TransferTables.h). `size`: entries of the table over `span` (real
+  /// values). `longest` (mm): the longest segment of a ray; as two values of a segment are a row apart at least, it
+  /// says what the greatest a is.
   PreIntegration(const TransferFunction& exact, ValueRange span, int size, double longest);
 
   int rows = 0;        ///< of each direction

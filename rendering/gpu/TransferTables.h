@@ -26,7 +26,7 @@ inline constexpr int spanBeyondNodes = 16;
 /// The function with its steps that much lower, but no lower than the node before. `perEntry`: real values an entry.
 TransferFunction withLoweredSteps(const TransferFunction& function, double perEntry);
 
-/// Of a function with lowered steps, rows of `size` entries, evenly spaced over `span` (real values): emission (colour
+/// Rows of `size` entries of the function with lowered steps, evenly spaced over `span` (real values): emission (colour
 /// · extinction) and extinction (1/mm), and their integrals from the first entry on (entries/mm).
 struct TransferTables {
   std::vector<glm::vec4> properties, integrals;
