@@ -83,6 +83,7 @@ class FirstMinute : public Window {
   /// The click's structure is in the focus, placed and drawn.
   void waitUntilOpen() {
     ASSERT_TRUE(QTest::qWaitFor([&] { return !document().awaitsGrowth(); }, 4 * patience));
+    ASSERT_FALSE(document().asksToOpen()) << "the window asks before it opens to the region";
     ASSERT_TRUE(QTest::qWaitFor([&] { return placement().measured() != nullptr; }, 4 * patience));
     waitUntilDrawn();
   }
