@@ -330,8 +330,7 @@ void GpuScene::updateFocusTables(std::vector<TransferFunction> functions) {
 
 void GpuScene::uploadFocusTable(std::size_t i) {
   const TransferFunction& function = focusFunctions_[i];
-  const ValueRange span = tableSpan(function, shown_.volume->range, tableSize);
-  uploadTables(TransferTables(function, span, tableSize), 1 + i);
+  uploadTables(TransferTables(function, tableSpan(function, shown_.volume->range, tableSize), tableSize), 1 + i);
 }
 
 void GpuScene::uploadTables(const TransferTables& tables, std::size_t function) {
@@ -414,8 +413,7 @@ const gl::Texture& GpuScene::preIntegration() const {
   double longest = 0.0;
   for (const glm::dvec3 diagonal : {glm::dvec3(1, 1, 1), {1, 1, -1}, {1, -1, 1}, {-1, 1, 1}})
     longest = std::max(longest, glm::length(cell * diagonal));
-  const ValueRange span = tableSpan(context_, shown_.volume->range, tableSize);
-  const PreIntegration made(context_, span, tableSize, longest);
+  const PreIntegration made(context_, tableSpan(context_, shown_.volume->range, tableSize), tableSize, longest);
   preIntegration_ = made.texture();
   preIntegrationLevel_ = made.firstLevel;
   return preIntegration_;

@@ -38,8 +38,7 @@ TransferFunction withLoweredSteps(const TransferFunction& function, double perEn
     const double value = lowered.nodes.empty() ? below : std::max(below, lowered.nodes.back().value);
     if (std::distance(node, end) > 1)
       for (; node != end; ++node) lowered.nodes.push_back({value, node->properties});
-    if (node == end) --node;  // from the step's own value on, the function is as it was
-    lowered.nodes.insert(lowered.nodes.end(), node, end);
+    lowered.nodes.push_back(*std::prev(end));  // from the step's own value on, the function is as it was
     node = end;
   }
   return lowered;
@@ -71,7 +70,7 @@ glm::vec2 TransferTables::visible() const {
   return {first == 0 ? -infinity : static_cast<float>(first) - 1.0f, last == properties.size() ? infinity : end};
 }
 
-TransferSegments::TransferSegments(const TransferFunction& function, ValueRange span, int size, double hair) {
+TransferSegments::TransferSegments(const TransferFunction& function, ValueRange span, int size, double rounding) {
   constexpr float far = 1e30f;
   const double perReal = (size - 1) / (span.high - span.low);
   const auto entryOf = [&](const TransferFunction::Node& node) { return (node.value - span.low) * perReal; };
@@ -79,7 +78,7 @@ TransferSegments::TransferSegments(const TransferFunction& function, ValueRange 
   float low = -far;
   const auto add = [&](float high, double anchor, glm::dvec4 there, glm::dvec4 slope) {
     if (!(high > low)) return;  // a step
-    segments.push_back({glm::vec4(low, high, anchor, hair), glm::vec4(there), glm::vec4(slope)});
+    segments.push_back({glm::vec4(low, high, anchor, rounding), glm::vec4(there), glm::vec4(slope)});
     low = high;
   };
   const std::vector<TransferFunction::Node>& nodes = function.nodes;

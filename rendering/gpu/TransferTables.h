@@ -32,20 +32,20 @@ struct TransferTables {
   std::vector<glm::vec4> properties, integrals;
 
   TransferTables(const TransferFunction& exact, ValueRange span, int size);
-  /// Entries up to and from which nothing shows, however exact.
+  /// Entries up to and from which nothing shows, by the tables or by the function itself.
   glm::vec2 visible() const;
 };
 
 /// A transfer function from node to node, without the tables' rounding; shaders/lib/TransferSegments.glsl reads it.
 struct TransferSegments {
-  /// In order: the ends, an anchor, and the hair (entries); colour and extinction (1/mm) at the anchor; their slopes
+  /// In order: the ends, an anchor, and `rounding` (entries); colour and extinction (1/mm) at the anchor; their slopes
   /// (an entry).
   std::vector<std::array<glm::vec4, 3>> segments;
   std::vector<std::uint32_t> ofEntry;  ///< the segment that holds each entry of the tables
 
-  /// `hair`: more than rounding moves the entries that shaders compute, in entries. Where all voxels of a region have
-  /// the value of a step, it keeps rounding from deciding over the region.
-  TransferSegments(const TransferFunction& function, ValueRange span, int size, double hair);
+  /// `rounding`: more than rounding moves the entries that shaders compute, in entries. Where all voxels of a region
+  /// have the value of a step, it keeps rounding from deciding over the region.
+  TransferSegments(const TransferFunction& function, ValueRange span, int size, double rounding);
   /// Puts those of another function behind them.
   void append(const TransferSegments& other);
   /// Each segment's texels one below the other, `perRow` of them side by side.

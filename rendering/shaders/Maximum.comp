@@ -103,8 +103,8 @@ bool beginsGap(Greatest best) {
 vec4 colourOf(Greatest best) {
   float entry = entryOf(best.value);
   int near = segmentNear(0, entry);
-  float hair = hairOf(near);
-  Segment segment = segmentAt(segmentFrom(near, entry + (beginsGap(best) ? -hair : hair)));
+  float rounding = roundingOf(near);
+  Segment segment = segmentAt(segmentFrom(near, entry + (beginsGap(best) ? -rounding : rounding)));
   vec4 material = segment.material + segment.slope * (entry - segment.anchor);
   float opacity = opacityOf(best.label) * (1.0 - exp(-max(material.a, 0.0) * thickness));
   return vec4(max(material.rgb, 0.0) * opacity, opacity);

@@ -11,7 +11,7 @@ struct Segment {
   vec4 slope;             // of the material, an entry
 };
 
-// Three texels a segment, one below the other, SEGMENTS_PER_ROW side by side: low, high, anchor and the hair; material; slope.
+// Three texels a segment, one below the other, SEGMENTS_PER_ROW side by side: low, high, anchor and what roundingOf() gives; material; slope.
 TEXELS_2D(rgba32f, transferSegments);
 layout(std430, binding = 3) readonly buffer SegmentOfEntry { uint segmentOfEntry[]; };  // of each entry of the tables
 
@@ -28,7 +28,7 @@ Segment segmentAt(int index) {
 }
 
 // More than rounding moves an entry of the segment's function, in entries.
-float hairOf(int index) { return texelOf(transferSegments, firstTexelOf(index)).w; }
+float roundingOf(int index) { return texelOf(transferSegments, firstTexelOf(index)).w; }
 
 // A segment of one material throughout.
 Segment constantSegment(vec4 material) { return Segment(-FAR, FAR, 0.0, material, vec4(0.0)); }
@@ -47,15 +47,15 @@ int segmentFrom(int index, float entry) {
 }
 
 // Whether a path has one value, but for rounding.
-bool isEven(vec4 entries, float hair) {
+bool isEven(vec4 entries, float rounding) {
   vec4 off = abs(entries - entries.x);
-  return max(off.y, max(off.z, off.w)) <= hair;
+  return max(off.y, max(off.z, off.w)) <= rounding;
 }
 
 // The segment in which a path begins. One that has the very value of a step throughout lies above it, as all of a mask may;
 // for others rounding moves the place where they cross it.
 int segmentOf(int function, vec4 entries) {
   int near = segmentNear(function, entries.x);
-  float hair = hairOf(near);
-  return segmentFrom(near, entries.x + (isEven(entries, hair) ? hair : 0.0));
+  float rounding = roundingOf(near);
+  return segmentFrom(near, entries.x + (isEven(entries, rounding) ? rounding : 0.0));
 }

@@ -166,7 +166,7 @@ Part nextPart(Section section, float from, inout int index) {
   part.to = 1.0;
   part.entries = bernsteinBetween(section.entries, from, 1.0);
   float low = part.segment.low, high = part.segment.high;
-  if (leavesHull(part.entries, low, high) && !isEven(part.entries, hairOf(index))) {
+  if (leavesHull(part.entries, low, high) && !isEven(part.entries, roundingOf(index))) {
     // The front lies on the node where the part before ended: from there inwards.
     float hair = min(0.01, 0.25 * (high - low));
     part.entries.x = clamp(part.entries.x, low + hair, high - hair);

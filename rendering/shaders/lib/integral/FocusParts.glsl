@@ -11,7 +11,7 @@
 
 // Whether all of a segment has the value at which the focus ends, within the rounding of filtered texels. A whole region may
 // have it, and belongs to the focus.
-bool isEven(vec3 field, float end) {
+bool isAt(vec3 field, float end) {
   const float ROUNDING = 4e-6;  // 32 units in the last place
   return all(lessThanEqual(abs(field - end), vec3(ROUNDING * abs(end))));
 }
@@ -27,7 +27,7 @@ vec2 focusPart(Walk walk, uint slot, ivec3 cell) {
   for (int i = 0; i < 3; ++i)
     field[i] = focusAt(held, clamp(cellPosition(walk.ray, s[i]) - vec3(cell), 0.0, 1.0), stored[i]);
   vec2 range = focusRange(), part = vec2(0.0, 1.0);
-  if (isEven(field, range.x) || isEven(field, range.y)) return part;
+  if (isAt(field, range.x) || isAt(field, range.y)) return part;
   if (walk.cut.onFocus != 0u && walk.front.s == walk.cut.start) field.x = ontoFocus(field.x, range);
   if (range.x > -FAR) part = partAbove(field, range.x);
   if (range.y < FAR) {
