@@ -151,32 +151,31 @@ function(fenestra_test_program NAME)
   endif()
 endfunction()
 
-# fenestra_test(NAME SOURCES... LIBS libs... [PRECOMPILED header] [UNOPTIMISED] [LABEL label] [EXHAUSTIVE cases...]
-#               [FIRST suites...] [ENVIRONMENT variables...])
+# fenestra_test(NAME SOURCES... LIBS libs... [PRECOMPILED header] [UNOPTIMISED] [LABEL label] [FIRST suites...]
+#               [ENVIRONMENT variables...])
 # A GoogleTest executable whose suites ctest lists one by one; the cases of a suite share a process, and so an OpenGL
-# context. The cases of EXHAUSTIVE, in the words of GoogleTest's filter, are tests of their own with the label
-# `exhaustive`: `packaging/test` runs them only where it is asked for all. ctest starts the suites of FIRST before all
-# others, in that order: those that take longest, so that no processor waits for one of them at the end.
+# context. Those whose names begin with Thorough_ or Exhaustive_ are a test of their own, with the label `thorough` or
+# `exhaustive`, which `packaging/test` runs where it is asked to. ctest starts the suites of FIRST before all others, in
+# that order: those that take longest, so that no processor waits for one of them at the end.
 function(fenestra_test NAME)
-  cmake_parse_arguments(ARG "UNOPTIMISED" "PRECOMPILED;LABEL" "SOURCES;LIBS;EXHAUSTIVE;FIRST;ENVIRONMENT" ${ARGN})
+  cmake_parse_arguments(ARG "UNOPTIMISED" "PRECOMPILED;LABEL" "SOURCES;LIBS;FIRST;ENVIRONMENT" ${ARGN})
   set(unoptimised)
   if(ARG_UNOPTIMISED)
     set(unoptimised UNOPTIMISED)
   endif()
   fenestra_test_program(${NAME} SOURCES ${ARG_SOURCES} LIBS ${ARG_LIBS} PRECOMPILED ${ARG_PRECOMPILED} ${unoptimised})
-  fenestra_suites(${NAME} LABELS ${ARG_LABEL} EXHAUSTIVE ${ARG_EXHAUSTIVE} FIRST ${ARG_FIRST}
-                  ENVIRONMENT ${ARG_ENVIRONMENT})
+  fenestra_suites(${NAME} LABELS ${ARG_LABEL} FIRST ${ARG_FIRST} ENVIRONMENT ${ARG_ENVIRONMENT})
 endfunction()
 
-# fenestra_suites(NAME [PREFIX prefix] [LABELS labels...] [ONLY suites...] [EXCEPT suites...] [EXHAUSTIVE cases...]
-#                 [FIRST suites...] [ENVIRONMENT variables...])
+# fenestra_suites(NAME [PREFIX prefix] [LABELS labels...] [ONLY suites...] [EXCEPT suites...] [FIRST suites...]
+#                 [ENVIRONMENT variables...])
 # One ctest test a suite of an executable, found by running it after each link: PREFIX + SUITE, for all suites or ONLY
 # those named. Answers and compiled shaders are kept in the build folder, not in the user's home.
 function(fenestra_suites NAME)
-  cmake_parse_arguments(ARG "" "PREFIX" "LABELS;ONLY;EXCEPT;EXHAUSTIVE;FIRST;ENVIRONMENT" ${ARGN})
+  cmake_parse_arguments(ARG "" "PREFIX" "LABELS;ONLY;EXCEPT;FIRST;ENVIRONMENT" ${ARGN})
   set(list "${CMAKE_CURRENT_BINARY_DIR}/${ARG_PREFIX}${NAME}_suites.cmake")
   set(parameters "-DPROGRAM=$<TARGET_FILE:${NAME}>" "-DLIST=${list}" "-DPREFIX=${ARG_PREFIX}")
-  foreach(part LABELS ONLY EXCEPT EXHAUSTIVE FIRST)
+  foreach(part LABELS ONLY EXCEPT FIRST)
     list(JOIN ARG_${part} ":" joined)
     list(APPEND parameters "-D${part}=${joined}")
   endforeach()

@@ -136,7 +136,7 @@ TEST(ArchiveArrival, WhatABrokenTransferLeftIsToldOfAgain) {
   EXPECT_EQ(files.size(), 30u);
 }
 
-TEST(ArchiveArrival, TheFirstOfFiveHundredSlicesComesAtOnce) {
+TEST(ArchiveArrival, Thorough_TheFirstOfFiveHundredSlicesComesAtOnce) {
   FENESTRA_PROGRAM_OR_SKIP("Orthanc", "orthanc");
   const fs::path folder = scratchFolder();
   const std::unique_ptr<RunningServer> orthanc = startOrthanc(folder / "orthanc"),

@@ -29,7 +29,7 @@ double secondsOf(const std::function<void()>& act) {
 
 }  // namespace
 
-TEST(ArchiveLarge, TenThousandAnswersComeWhole) {
+TEST(ArchiveLarge, Exhaustive_TenThousandAnswersComeWhole) {
   FENESTRA_PROGRAM_OR_SKIP("Orthanc", "orthanc");
   const fs::path folder = scratchFolder();
   const std::unique_ptr<RunningServer> running = startOrthanc(folder / "server");
@@ -45,7 +45,7 @@ TEST(ArchiveLarge, TenThousandAnswersComeWhole) {
   EXPECT_EQ(archive::find(web, query).records.size(), 10'000u);
 }
 
-TEST(ArchiveLarge, ASeriesComesAboutAsFastAsWithDcmtksProgram) {
+TEST(ArchiveLarge, Exhaustive_ASeriesComesAboutAsFastAsWithDcmtksProgram) {
   FENESTRA_PROGRAM_OR_SKIP("getscu", "dcmtk");
   const fs::path folder = scratchFolder();
   const std::unique_ptr<RunningServer> running = startDcmqrscp(folder / "server");

@@ -212,7 +212,7 @@ TEST(ContextKept, OfAGhostIsItsShareOfWhatAnOpeningRemoves) {
   EXPECT_NEAR(1.0 - ghost.samples.kept(ghost.rays()).volume, (1.0 - share) * removed, 1e-3);
 }
 
-TEST(DepthOrder, IsWrongWhereAFocusFloatsBeforeWhatHidesIt) {
+TEST(DepthOrder, Thorough_IsWrongWhereAFocusFloatsBeforeWhatHidesIt) {
   Scene scene = slabBeforeBall();
   const double opacity = -std::expm1(-haze * (back - front));
   const auto orderOf = [&](double pixelScale = 1.0) {
@@ -253,7 +253,7 @@ TEST(DepthOrder, IsRightWhereTheFocusLiesInFront) {
   EXPECT_EQ(view.samples.order(view.rays()).wrong, 0.0);
 }
 
-TEST(MethodMeasures, EveryMethodHasTheOpacityOfItsReference) {
+TEST(MethodMeasures, Thorough_EveryMethodHasTheOpacityOfItsReference) {
   const Grid grid = gridOf({41, 46, 41});
   Scene base = slabBeforeBall();
   base.volume = volumeOf<float>(grid, [](glm::ivec3 i) {

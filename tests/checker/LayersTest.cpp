@@ -44,7 +44,7 @@ void expectPhantomLayersHold(const std::string& phantom, const std::string& stru
   expectLayersHold(folder, folder / "IMAGE.mha", folder / "LABELS.mha", label, view, widths);
 }
 
-TEST(Layers, lesionBehindARib) {
+TEST(Layers, Thorough_lesionBehindARib) {
   expectPhantomLayersHold("torso", "lesion", "--camera R --size 500x430", "--w-open 24 --w-border 2");
 }
 

@@ -23,7 +23,7 @@ void expectTimes(const Json& json, std::size_t settings) {
     EXPECT_TRUE(machine.at("times_as_fast").is_null()) << "pictures of another size are not compared";
 }
 
-TEST_F(CommandLine, BenchmarkMeasuresTimesAndErrorsOfEveryScene) {
+TEST_F(CommandLine, Exhaustive_BenchmarkMeasuresTimesAndErrorsOfEveryScene) {
   const Result result = run({"benchmark", "--size", "64x60"});
   ASSERT_EQ(result.exitCode, 0) << result.error;
   const Json json = result.json();
@@ -37,7 +37,7 @@ TEST_F(CommandLine, BenchmarkMeasuresTimesAndErrorsOfEveryScene) {
     }
 }
 
-TEST_F(CommandLine, AQuickBenchmarkMeasuresTimesAlone) {
+TEST_F(CommandLine, Exhaustive_AQuickBenchmarkMeasuresTimesAlone) {
   const Result result = run({"benchmark", "--quick", "--size", "64x60"});
   ASSERT_EQ(result.exitCode, 0) << result.error;
   expectTimes(result.json(), 3);

@@ -32,7 +32,7 @@ class Certify : public CommandLine {
   }
 };
 
-TEST_F(Certify, WhatItStatesIsTrueOfTheWholePicture) {
+TEST_F(Certify, Thorough_WhatItStatesIsTrueOfTheWholePicture) {
   int stated = 0, isTrue = 0;
   for (const std::string preset : {"ct-soft-tissue", "ct-bone"}) {
     ASSERT_EQ(render({"--transfer-function", preset, "--reference", "--layers", at(preset + "-exact")}).exitCode, 0);

@@ -48,7 +48,7 @@ class ClippingCommand : public ::testing::Test {
   const fs::path folder_ = scratchFolder();
 };
 
-TEST_F(ClippingCommand, RaysStartAndEndAtTheBoxAndPlanes) {
+TEST_F(ClippingCommand, Thorough_RaysStartAndEndAtTheBoxAndPlanes) {
   const std::vector<float> whole = layer("t_context", "");
   for (const char* options : {"--crop :,-20:,:", "--clip-plane 0,1,0,-20", "--clip-plane 0,-20,0,0,3,0"}) {
     const std::vector<float> cut = layer("t_context", options);
@@ -73,7 +73,7 @@ TEST_F(ClippingCommand, ABoxAndTheSamePlanesAreTheSamePicture) {
   EXPECT_NE(bytes("box.png"), bytes("whole.png"));
 }
 
-TEST_F(ClippingCommand, PicturesAreWithinTheirBound) {
+TEST_F(ClippingCommand, Thorough_PicturesAreWithinTheirBound) {
   for (const char* options : {"--crop -60:70,-20:,:", "--clip-plane 0.3,1,0.2,-15 --clip-exempt liver,6",
                               "--clip-plane 0,1,0,-20 --clip-grey 400,40"})
     for (const char* bound : {"4", "0.5"}) {
@@ -83,7 +83,7 @@ TEST_F(ClippingCommand, PicturesAreWithinTheirBound) {
     }
 }
 
-TEST_F(ClippingCommand, ASessionKeepsIt) {
+TEST_F(ClippingCommand, Thorough_ASessionKeepsIt) {
   const std::string options = " --crop -60:70,-20:,: --clip-plane 0.3,1,0.2,-15 --clip-exempt liver --clip-grey 400,40";
   ASSERT_EQ(render("-o '" + at("a.png") + "' --save-session '" + at("a.fenestra") + "'" + options), 0) << error();
   const io::Session session = io::readSession(at("a.fenestra"));

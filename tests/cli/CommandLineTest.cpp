@@ -169,7 +169,7 @@ std::vector<BadInput> badInputs() {
 
 class BrokenInput : public CommandLine, public ::testing::WithParamInterface<BadInput> {};
 
-TEST_P(BrokenInput, FailsWithOneClearLineAndNoOutput) {
+TEST_P(BrokenInput, Thorough_FailsWithOneClearLineAndNoOutput) {
   const fs::path inputs = folder().parent_path() / "inputs";
   fs::create_directories(inputs);
   const std::string path = (inputs / GetParam().file).string();

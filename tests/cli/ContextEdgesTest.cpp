@@ -17,7 +17,7 @@ void PrintTo(const Labelled& data, std::ostream* out) { *out << data.name; }
 
 class ContextEdges : public CommandLine, public ::testing::WithParamInterface<Labelled> {};
 
-TEST_P(ContextEdges, ChangeAnEighthOfTheFocusAtMost) {
+TEST_P(ContextEdges, Thorough_ChangeAnEighthOfTheFocusAtMost) {
   const Labelled& data = GetParam();
   std::vector<std::string> scene{"render", "--phantom", "torso", "--phantom-voxels", "128"};
   if (!data.image.empty()) {

@@ -69,7 +69,7 @@ Ended run(std::vector<std::string> words, const fs::path& logs) {
 
 class DefectsCommandTable : public ::testing::TestWithParam<Defect> {};
 
-TEST_P(DefectsCommandTable, EndsWithTheCodeAndTheLineThatTheTableSays) {
+TEST_P(DefectsCommandTable, Thorough_EndsWithTheCodeAndTheLineThatTheTableSays) {
   const Defect& defect = GetParam();
   const fs::path folder = scratchFolder();
   fs::path path;

@@ -21,7 +21,7 @@ class EdgesCommand : public CommandLine {
   }
 };
 
-TEST_F(EdgesCommand, PicturesAreTheReferencesAndOffIsTheDefault) {
+TEST_F(EdgesCommand, Thorough_PicturesAreTheReferencesAndOffIsTheDefault) {
   ASSERT_EQ(render("plain.png", {"--max-error", "1"}).exitCode, 0);
   ASSERT_EQ(render("off.png", {"--max-error", "1", "--edges", "off"}).exitCode, 0);
   ASSERT_EQ(render("smooth.png", {"--max-error", "1", "--edges", "smooth"}).exitCode, 0);

@@ -29,7 +29,7 @@ class FocusTransfer : public CommandLine {
   }
 };
 
-TEST_F(FocusTransfer, LabelsAndRangesAreShownByValueAsInTheReference) {
+TEST_F(FocusTransfer, Thorough_LabelsAndRangesAreShownByValueAsInTheReference) {
   const std::vector<std::vector<std::string>> kinds{{"--focus-labels", "left kidney,right kidney"},
                                                     {"--focus-range", "40:3000"}};
   for (std::vector<std::string> options : kinds) {

@@ -138,7 +138,7 @@ TEST_F(Grow, NamesWhatIsWrong) {
   }
 }
 
-TEST_F(Grow, RenderOpensTheViewToTheRegion) {
+TEST_F(Grow, Thorough_RenderOpensTheViewToTheRegion) {
   const std::string view = "--size 90x80 --camera P ";
   const auto hits = [&](const std::string& focus, const std::string& layers) {
     EXPECT_EQ(run("render", view + focus + " --layers '" + at(layers) + "' -o '" + at("picture.png") + "'"), 0)
@@ -166,7 +166,7 @@ TEST_F(Grow, RenderOpensTheViewToTheRegion) {
   EXPECT_EQ(run("render", view + "--seed " + kidney + " --focus-range 0:9 -o '" + at("no.png") + "'"), 2);
 }
 
-TEST_F(Grow, SelectPaintsTheRegion) {
+TEST_F(Grow, Thorough_SelectPaintsTheRegion) {
   const std::string view = "--size 90x80 --camera P --method selection ";
   const auto hits = [&](const std::string& focus, const std::string& layers) {
     EXPECT_EQ(run("render", view + focus + " --layers '" + at(layers) + "' -o '" + at("picture.png") + "'"), 0)

@@ -107,7 +107,7 @@ TEST_F(LabelRolesCommand, OpacityMakesLabelsOutsideTheFocusFainterAsInTheReferen
   EXPECT_EQ(layer("none", "final"), layer("hidden", "final"));
 }
 
-TEST_F(LabelRolesCommand, OpacityAndColourChangeTheFocusAndComeBackFromASession) {
+TEST_F(LabelRolesCommand, Thorough_OpacityAndColourChangeTheFocusAndComeBackFromASession) {
   ASSERT_EQ(render("plain", ""), 0) << error();
   const std::string options =
       "--label-opacity 'left kidney=0.25' --label-colour 'left kidney=#0080ff,ribs=#102030' --protected ribs "

@@ -31,7 +31,7 @@ const std::vector<std::string> methods{
     "--method mip --mip-thickness 4",
     "--method clearview --lens-radius 50 --lens-fade depth"};
 
-TEST_F(MethodCommand, PicturesAreTheReferences) {
+TEST_F(MethodCommand, Exhaustive_PicturesAreTheReferences) {
   ASSERT_EQ(render("adaptive.png", ""), 0);
   for (const std::string& method : methods) {
     SCOPED_TRACE(method);
@@ -99,7 +99,7 @@ TEST_F(MethodCommand, WhatIsNeitherExplodedNorPeeledIsThePlainPicture) {
   EXPECT_EQ(bytes("plain.png"), bytes("in-place.png"));
 }
 
-TEST_F(MethodCommand, ASessionKeepsEach) {
+TEST_F(MethodCommand, Exhaustive_ASessionKeepsEach) {
   for (const std::string& method : methods) {
     SCOPED_TRACE(method);
     ASSERT_EQ(render("a.png", method + " --save-session " + quoted("work.fenestra")), 0);

@@ -16,7 +16,7 @@ TEST_F(PlaceCommand, PlaceNamesTheNearestNumbersOfSamples) {
   EXPECT_NE(result.error.find("108 and 192"), std::string::npos) << result.error;
 }
 
-TEST_F(PlaceCommand, PlaceReportsBothCamerasAndDrawsTheMap) {
+TEST_F(PlaceCommand, Thorough_PlaceReportsBothCamerasAndDrawsTheMap) {
   const std::vector<std::string> scene{"place", "--phantom", "torso", "--phantom-voxels", "64", "--samples", "48"};
   const auto placed = [&](const std::vector<std::string>& more) {
     std::vector<std::string> arguments = scene;

@@ -14,7 +14,7 @@ const std::vector<std::string> removals{"--carve 'ball:40,120,0:75:6'", "--carve
                                         "--carve 'saw:90,130,-60;80,140,60:0.3,-1,0:80:50'",
                                         "--bend '120,40,-60;-60,60,-50;20,60,80:0,1,0:drag=20,50,0,-25,60'"};
 
-TEST_F(RemovalCommand, PicturesAreTheReferences) {
+TEST_F(RemovalCommand, Thorough_PicturesAreTheReferences) {
   ASSERT_EQ(render("whole.png", "--method sculpt"), 0);
   for (const std::string& removal : removals) {
     SCOPED_TRACE(removal);
@@ -26,7 +26,7 @@ TEST_F(RemovalCommand, PicturesAreTheReferences) {
   }
 }
 
-TEST_F(RemovalCommand, ActWithEveryMethodAndMethodsOfRemovalsOpenNothing) {
+TEST_F(RemovalCommand, Thorough_ActWithEveryMethodAndMethodsOfRemovalsOpenNothing) {
   for (const std::string method : {"adaptive", "clearview", "context-preserving"}) {
     ASSERT_EQ(render("whole.png", "--method " + method), 0);
     ASSERT_EQ(render("carved.png", "--method " + method + " " + removals[0]), 0);

@@ -63,7 +63,7 @@ TEST_F(RenderCommand, SavedCameraGivesTheSamePicture) {
   EXPECT_EQ(contents(at("first/camera.json")), contents(at("second/camera.json")));
 }
 
-TEST_F(RenderCommand, RenderLooksFromThePlacedCameras) {
+TEST_F(RenderCommand, Thorough_RenderLooksFromThePlacedCameras) {
   const std::vector<std::string> scene{"--phantom", "head", "--phantom-voxels", "48"};
   std::vector<std::string> place{"place"};
   place.insert(place.end(), scene.begin(), scene.end());

@@ -262,7 +262,7 @@ TEST_F(ReportCommand, DciodvfyAcceptsEveryKindOfRealSeries) {
   }
 }
 
-TEST_F(ReportCommand, TheTemplatesAreKept) {
+TEST_F(ReportCommand, Exhaustive_TheTemplatesAreKept) {
   // Java's limits, which its own rules exceed, are lifted for it.
   const std::string validator =
       "JAVA_TOOL_OPTIONS='-Djdk.xml.xpathTotalOpLimit=0 -Djdk.xml.xpathExprOpLimit=0 "

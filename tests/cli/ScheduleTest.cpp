@@ -36,7 +36,7 @@ class ScheduleCommand : public ::testing::Test {
   const fs::path folder_ = scratchFolder();
 };
 
-TEST_F(ScheduleCommand, TheFasterOneIsFoundOnceAndKept) {
+TEST_F(ScheduleCommand, Thorough_TheFasterOneIsFoundOnceAndKept) {
   ASSERT_EQ(render(""), 0);
   const nlohmann::json kept = nlohmann::json::parse(std::ifstream(answers()));
   ASSERT_EQ(kept.size(), 1u);
@@ -55,7 +55,7 @@ TEST_F(ScheduleCommand, TheFasterOneIsFoundOnceAndKept) {
   EXPECT_EQ(nlohmann::json::parse(std::ifstream(answers())), turned);
 }
 
-TEST_F(ScheduleCommand, TheOptionOverridesAndDrawsTheSamePicture) {
+TEST_F(ScheduleCommand, Thorough_TheOptionOverridesAndDrawsTheSamePicture) {
   ASSERT_EQ(render("--schedule plain"), 0);
   EXPECT_EQ(used(), "plain");
   EXPECT_FALSE(fs::exists(answers())) << "nothing was tried";
@@ -66,7 +66,7 @@ TEST_F(ScheduleCommand, TheOptionOverridesAndDrawsTheSamePicture) {
   EXPECT_EQ(render("--schedule fast"), 2);
 }
 
-TEST_F(ScheduleCommand, ADamagedOrUnwritableFileCostsATrialAndNothingElse) {
+TEST_F(ScheduleCommand, Thorough_ADamagedOrUnwritableFileCostsATrialAndNothingElse) {
   fs::create_directories(answers().parent_path());
   std::ofstream(answers()) << R"({"a": [1, 2)";
   ASSERT_EQ(render(""), 0);

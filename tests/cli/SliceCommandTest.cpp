@@ -176,7 +176,7 @@ TEST_F(SliceCommand, OwnPlanesKeepTheirPixelsUnlessASizeIsNamed) {
   }
 }
 
-TEST_F(SliceCommand, FacesThePlacedCamera) {
+TEST_F(SliceCommand, Thorough_FacesThePlacedCamera) {
   const std::vector<std::string> scene{"--phantom", "torso", "--phantom-voxels", "48"};
   std::vector<std::string> placing = scene, facing = scene;
   placing.insert(placing.begin(), "place");

@@ -101,7 +101,7 @@ TEST_F(Strokes, BadFilesAreErrors) {
   EXPECT_FALSE(fs::exists(at("x.png")));
 }
 
-TEST_F(Strokes, LooksAreWhatTheirOptionsSay) {
+TEST_F(Strokes, Thorough_LooksAreWhatTheirOptionsSay) {
   const auto picture = [&](const std::string& options) {
     EXPECT_EQ(render("-o '" + at("x.png") + "' " + options), 0) << error();
     return io::readPicture(at("x.png")).values;

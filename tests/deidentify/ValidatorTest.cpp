@@ -56,7 +56,7 @@ class DeidentifyValidator : public ::testing::Test {
   int checked_ = 0;
 };
 
-TEST_F(DeidentifyValidator, FindsNoNewErrorInRealObjects) {
+TEST_F(DeidentifyValidator, Thorough_FindsNoNewErrorInRealObjects) {
   if (!hasValidator()) GTEST_SKIP() << "needs dciodvfy, of the package dicom3tools";
   FENESTRA_TEST_DATA_OR_SKIP(data, "dicom");
   std::set<fs::path> folders;

@@ -99,7 +99,7 @@ Scene softAndHard() {
 
 using AdaptiveSampling = GlTest;
 
-TEST_F(AdaptiveSampling, IsOffByAboutItsTolerance) {
+TEST_F(AdaptiveSampling, Thorough_IsOffByAboutItsTolerance) {
   constexpr glm::ivec2 size{220, 200};
   for (const bool lit : {false, true})
     for (const Projection projection : {Projection::Perspective, Projection::Orthographic})
@@ -161,7 +161,7 @@ TEST_F(AdaptiveSampling, EdgesStayWhereTheyAre) {
         << nameOf(lattice);
 }
 
-TEST_F(AdaptiveSampling, PicturesOfAnySize) {
+TEST_F(AdaptiveSampling, Thorough_PicturesOfAnySize) {
   Scene scene = softAndHard();
   scene.look.shading.enabled = false;
   for (const glm::ivec2 size : {glm::ivec2(1, 1), glm::ivec2(2, 1), glm::ivec2(1, 7), glm::ivec2(3, 3),
@@ -173,7 +173,7 @@ TEST_F(AdaptiveSampling, PicturesOfAnySize) {
     }
 }
 
-TEST_F(AdaptiveSampling, PartsAreRedrawnAsInANewPicture) {
+TEST_F(AdaptiveSampling, Exhaustive_PartsAreRedrawnAsInANewPicture) {
   constexpr glm::ivec2 size{300, 270};
   for (const double voxel : {2.2, 4.4})
     for (const Quality quality : {Quality::Draft, Quality::Normal}) {

@@ -56,7 +56,7 @@ std::size_t expectEditsMatch(const Scene& scene, const View& view) {
 
 using Brush = GlTest;
 
-TEST_F(Brush, EditsMatchTheReferenceInBothProjectionsAndAtBothScales) {
+TEST_F(Brush, Thorough_EditsMatchTheReferenceInBothProjectionsAndAtBothScales) {
   Scene scene = ballScene();
   for (const Projection projection : {Projection::Perspective, Projection::Orthographic})
     for (const double pixelScale : {1.0, 2.0}) {
@@ -105,7 +105,7 @@ TEST_F(Brush, HardEdgesMissNoMoreThanTheirRim) {
   EXPECT_LE(missed, 1u);  // a pixel whose centre lies on the rim to 1e-5 px may fall on either side
 }
 
-TEST_F(Brush, HardCases) {
+TEST_F(Brush, Thorough_HardCases) {
   const Scene plain = ballScene();
   const glm::dvec3 centre = plain.volume->grid.centre();
   for (const Projection projection : {Projection::Perspective, Projection::Orthographic}) {

@@ -137,7 +137,7 @@ TEST_F(ClippingTest, StagesAreTheReferences) {
     }
 }
 
-TEST_F(ClippingTest, BoundsHold) {
+TEST_F(ClippingTest, Thorough_BoundsHold) {
   Scene scene = body();
   for (const Schedule schedule : pictureSchedules()) {
     Renderer renderer(gpuWith(schedule));
@@ -189,7 +189,7 @@ TEST_F(ClippingTest, RaysFromFaceToFaceEndWhereTheyAreClipped) {
     }
 }
 
-TEST_F(ClippingTest, GreyFacesAreTheReferences) {
+TEST_F(ClippingTest, Thorough_GreyFacesAreTheReferences) {
   Scene scene = body();
   for (const Focus& focus : {Focus(LabelFocus{{1}}), Focus(ValueFocus{{850.0, 1e4}, 0.0}), Focus()})
     for (const bool open : {true, false})
@@ -250,7 +250,7 @@ TEST_F(ClippingTest, ExemptLabelsStayAsTheReferenceHasThem) {
   EXPECT_GT(more, 10 * static_cast<int>(pictureSchedules().size())) << "too little to tell";
 }
 
-TEST_F(ClippingTest, StagesOfSplinesAreTheReferences) {
+TEST_F(ClippingTest, Thorough_StagesOfSplinesAreTheReferences) {
   Scene scene = body();
   for (const Reconstruction kind : {Reconstruction::Cubic, Reconstruction::Smooth})
     for (const bool grey : {false, true})
@@ -264,7 +264,7 @@ TEST_F(ClippingTest, StagesOfSplinesAreTheReferences) {
 }
 
 /// Capped faces, lit and grey, with a label that neither the opening nor the clipping removes.
-TEST_F(ClippingTest, SplinesAreTheReferences) {
+TEST_F(ClippingTest, Thorough_SplinesAreTheReferences) {
   constexpr glm::ivec2 few{31, 27};
   Scene scene = bodyWithRod();
   scene.look.contextLayer.strength = 0.0;

@@ -71,7 +71,7 @@ int expectConesMatch(const MadeCones& made, const ConePass::Cones& cones) {
 
 using ConePassTest = GlTest;
 
-TEST_F(ConePassTest, PicturesOfAnySize) {
+TEST_F(ConePassTest, Exhaustive_PicturesOfAnySize) {
   for (const glm::ivec2 size : awkwardSizes)
     for (const bool onSilhouette : {false, true})
       for (const Projection projection : {Projection::Perspective, Projection::Orthographic}) {
@@ -85,7 +85,7 @@ TEST_F(ConePassTest, PicturesOfAnySize) {
       }
 }
 
-TEST_F(ConePassTest, MoreThanOneTopSquare) {
+TEST_F(ConePassTest, Thorough_MoreThanOneTopSquare) {
   const MadeCones made({603, 290}, Where::Somewhere);
   EXPECT_GT(expectConesMatch(made, {0.6, false}), 2000);
   expectConesMatch(made, {1.7, true});

@@ -65,7 +65,7 @@ Drawn draw(const Scene& scene) {
   return drawn;
 }
 
-TEST_F(Cost, EveryKindOfSceneTakesItsOwnPassesAndResourcesAndNoOthers) {
+TEST_F(Cost, Thorough_EveryKindOfSceneTakesItsOwnPassesAndResourcesAndNoOthers) {
   using Names = std::set<std::string>;
   const Names always{"volume", "transfer tables", "pre-integration", "empty-space skipping", "images"};
   const auto with = [](Names names, const Names& more) {
@@ -162,7 +162,7 @@ TEST_F(Cost, AFeatureAddsItsOwnBytesAndNoOthers) {
   EXPECT_EQ(stroke, memory["with the context layer"]);
 }
 
-TEST_F(Cost, AFeatureSwitchedOffGivesBackWhatItTook) {
+TEST_F(Cost, Thorough_AFeatureSwitchedOffGivesBackWhatItTook) {
   const std::vector<FeatureScene> scenes = kinds();
   for (const FeatureScene& kind : scenes) {
     const auto gpu = std::make_shared<GpuScene>();

@@ -49,7 +49,7 @@ std::vector<Scene> strokesOver(const Scene& scene) {
   return states;
 }
 
-TEST_F(DroppedStrokes, LeaveNoTrace) {
+TEST_F(DroppedStrokes, Thorough_LeaveNoTrace) {
   std::mt19937 random(11);
   for (const Kind& kind : kindsOfPictures()) {
     SCOPED_TRACE(kind.name);

@@ -111,7 +111,7 @@ std::vector<Case> cases() {
   return all;
 }
 
-TEST_F(EdgesTest, PicturesAreWithinTheBoundOfTheReferences) {
+TEST_F(EdgesTest, Thorough_PicturesAreWithinTheBoundOfTheReferences) {
   for (const Case& each : cases()) {
     const Scene scene = smooth(each.scene);
     const reference::Picture truth = reference::picture(scene, each.view);
@@ -167,11 +167,11 @@ void expectFreeWhereOff(std::size_t every) {
 }
 
 // What decides is the edges' setting and the quality, not the scene.
-TEST_F(EdgesTest, OffTheyCostNothingAndDraftsHaveNone) { expectFreeWhereOff(3); }
+TEST_F(EdgesTest, Thorough_OffTheyCostNothingAndDraftsHaveNone) { expectFreeWhereOff(3); }
 
-TEST_F(EdgesTest, OffTheyCostNothingInAnyScene) { expectFreeWhereOff(1); }
+TEST_F(EdgesTest, Exhaustive_OffTheyCostNothingInAnyScene) { expectFreeWhereOff(1); }
 
-TEST_F(EdgesTest, StrokesPatchThem) {
+TEST_F(EdgesTest, Thorough_StrokesPatchThem) {
   Case base = cases().front();
   base.scene = smooth(base.scene);
   const Scene painted = brushed(base.scene);

@@ -56,7 +56,7 @@ int beyond(double bound, const std::vector<glm::vec4>& picture, const std::vecto
   return count;
 }
 
-TEST_F(Exploded, EveryCutMatchesTheReference) {
+TEST_F(Exploded, Thorough_EveryCutMatchesTheReference) {
   for (const ExplosionAxes axes : {ExplosionAxes::Patient, ExplosionAxes::View})
     for (int planes = 1; planes <= 3; ++planes)
       for (const Projection projection : {Projection::Perspective, Projection::Orthographic})
@@ -85,7 +85,7 @@ TEST_F(Exploded, AnEyeBetweenTheParts) {
 }
 
 /// The faces of the parts in grey, with planes that clip the volume, too, and without; the hollow shows none.
-TEST_F(Exploded, FacesAreGreyAsThoseOfClippingAre) {
+TEST_F(Exploded, Thorough_FacesAreGreyAsThoseOfClippingAre) {
   for (const bool isClipped : {false, true}) {
     Scene scene = body(2, ExplosionAxes::Patient, 0.8);
     const View view = viewOf(scene, 35.0, 20.0);

@@ -84,7 +84,7 @@ double rmsOf(const Scene& scene, const Camera& camera, Schedule schedule) {
   return errorsOf(faceToFace(scene, camera, schedule), reference::picture(scene, camera, size, {}, {}).focusLayer).rms;
 }
 
-TEST_F(FaintLabelsTest, StagesAreTheReferences) {
+TEST_F(FaintLabelsTest, Thorough_StagesAreTheReferences) {
   for (const auto& [name, focus] : focuses()) {
     SCOPED_TRACE(name);
     Scene scene = body(false);
@@ -95,7 +95,7 @@ TEST_F(FaintLabelsTest, StagesAreTheReferences) {
   }
 }
 
-TEST_F(FaintLabelsTest, HitsFollowTheLabels) {
+TEST_F(FaintLabelsTest, Thorough_HitsFollowTheLabels) {
   const Scene scene = body(false);
   Scene whole = scene;
   whole.look.labels.clear();
@@ -106,7 +106,7 @@ TEST_F(FaintLabelsTest, HitsFollowTheLabels) {
   EXPECT_GT(later, here.size() / 50) << "else the test above would hold for either";
 }
 
-TEST_F(FaintLabelsTest, BoundsHold) {
+TEST_F(FaintLabelsTest, Thorough_BoundsHold) {
   for (const auto& [name, focus] : focuses())
     for (const bool lit : {false, true})
       for (const bool open : {false, true}) {
@@ -124,7 +124,7 @@ TEST_F(FaintLabelsTest, BoundsHold) {
       }
 }
 
-TEST_F(FaintLabelsTest, HoldInSplines) {
+TEST_F(FaintLabelsTest, Exhaustive_HoldInSplines) {
   for (const auto& [name, focus] : focuses())
     for (const bool lit : {false, true}) {
       SCOPED_TRACE(std::string(name) + (lit ? ", lit" : ", unlit"));
@@ -141,7 +141,7 @@ TEST_F(FaintLabelsTest, HoldInSplines) {
     }
 }
 
-TEST_F(FaintLabelsTest, BoundsHoldBesideFunctionsOfTheFocusAndClipping) {
+TEST_F(FaintLabelsTest, Exhaustive_BoundsHoldBesideFunctionsOfTheFocusAndClipping) {
   const TransferFunction function{
       {{600.0, {{1.0, 0.2, 0.1}, 0.0}}, {800.0, {{0.9, 0.9, 0.2}, 0.4}}, {900.0, {{0.1, 0.4, 1.0}, 1.5}}}};
   for (const bool lit : {false, true}) {
@@ -199,7 +199,7 @@ TEST_F(FaintLabelsTest, PicturesWithoutABoundAreOfSecondOrder) {
     }
 }
 
-TEST_F(FaintLabelsTest, PicturesWithoutABoundAreNearTheReference) {
+TEST_F(FaintLabelsTest, Thorough_PicturesWithoutABoundAreNearTheReference) {
   for (const auto& [name, focus] : focuses())
     for (const bool lit : {false, true}) {
       Scene scene = body(lit);
@@ -319,7 +319,7 @@ TEST_F(FaintLabelsTest, TheRimOfAProtectedLabelIsNotRagged) {
   }
 }
 
-TEST_F(FaintLabelsTest, TheDevicesCopyFollowsEveryChange) {
+TEST_F(FaintLabelsTest, Thorough_TheDevicesCopyFollowsEveryChange) {
   const auto gpu = std::make_shared<GpuScene>();
   Renderer renderer(gpu);
   Scene scene = body(true);

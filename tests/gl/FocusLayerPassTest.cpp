@@ -62,14 +62,14 @@ void expectMatch(Scene scene, const Camera& camera, glm::ivec2 size, bool open) 
 
 using FocusLayerPassTest = GlTest;
 
-TEST_F(FocusLayerPassTest, UnlitPicturesOfAnySize) {
+TEST_F(FocusLayerPassTest, Exhaustive_UnlitPicturesOfAnySize) {
   const Scene scene = waves(false);
   for (const glm::ivec2 size : awkwardSizes)
     for (const bool open : {false, true}) expectMatch(scene, aside(scene), size, open);
   for (const bool open : {false, true}) expectMatch(scene, aside(scene, Projection::Orthographic), {33, 17}, open);
 }
 
-TEST_F(FocusLayerPassTest, LitPictures) {
+TEST_F(FocusLayerPassTest, Thorough_LitPictures) {
   const Scene scene = waves(true);
   for (const glm::ivec2 size : {glm::ivec2(1, 1), glm::ivec2(33, 17)})
     for (const bool open : {false, true}) expectMatch(scene, aside(scene), size, open);
@@ -106,7 +106,7 @@ std::vector<Scene> scenesByValue(bool lit, const TransferFunction& function) {
   return {one, two, values};
 }
 
-TEST_F(FocusLayerPassTest, FocusesByValue) {
+TEST_F(FocusLayerPassTest, Exhaustive_FocusesByValue) {
   for (const bool lit : {false, true})
     for (const double density : {0.1, 1.0})
       for (const Scene& scene : scenesByValue(lit, stepped(density))) {
@@ -116,7 +116,7 @@ TEST_F(FocusLayerPassTest, FocusesByValue) {
       }
 }
 
-TEST_F(FocusLayerPassTest, FocusesByValueKeepEveryBound) {
+TEST_F(FocusLayerPassTest, Exhaustive_FocusesByValueKeepEveryBound) {
   constexpr glm::ivec2 size{61, 47};
   for (const bool lit : {false, true})
     for (Scene scene : scenesByValue(lit, ramps(2.0))) {
@@ -132,7 +132,7 @@ TEST_F(FocusLayerPassTest, FocusesByValueKeepEveryBound) {
     }
 }
 
-TEST_F(FocusLayerPassTest, AFunctionThatIsConstantShowsAMaterial) {
+TEST_F(FocusLayerPassTest, Thorough_AFunctionThatIsConstantShowsAMaterial) {
   constexpr glm::ivec2 size{33, 17};
   for (const bool lit : {false, true}) {
     Scene material = waves(lit);
@@ -219,7 +219,7 @@ TEST_F(FocusLayerPassTest, ShowsNothingWhereRaysStartNowhereOrThereIsNothing) {
     }
 }
 
-TEST_F(FocusLayerPassTest, PartsMakeTheWhole) {
+TEST_F(FocusLayerPassTest, Exhaustive_PartsMakeTheWhole) {
   const Scene scene = waves(true);
   for (const glm::ivec2 size : awkwardSizes) {
     const Camera camera = aside(scene);

@@ -286,7 +286,7 @@ FocusObjects objectsOf(const GpuScene& gpu) {
   return objects;
 }
 
-TEST_F(GpuSceneTest, AFocusWhoseLabelsChangeIsToTheBitOneMadeFromScratch) {
+TEST_F(GpuSceneTest, Thorough_AFocusWhoseLabelsChangeIsToTheBitOneMadeFromScratch) {
   // Steps of a region that grows from a corner, leaks, and fills the volume; in a context, so that bricks are occupied
   // with and without the focus.
   std::mt19937 random(11);

@@ -260,7 +260,7 @@ std::vector<HardCase> hardCases() {
              shot.size = {53, 1};
            }),
       large("oddPicture", {701, 649}, 40.0),
-      large("ultraHighDefinition", {3840, 2160}, 120.0),
+      large("Exhaustive_ultraHighDefinition", {3840, 2160}, 120.0),
   };
 }
 
@@ -333,7 +333,7 @@ Some someOf(glm::ivec2 size, std::size_t enough) {
 
 class HardCases : public ::testing::WithParamInterface<HardCase>, public GlTest {};
 
-TEST_P(HardCases, everyStage) {
+TEST_P(HardCases, Thorough_everyStage) {
   const Shot shot = GetParam().make();
   const View view{shot.camera, shot.size, 1.0, Quality::High};
   Renderer renderer(std::make_shared<GpuScene>());
@@ -375,7 +375,7 @@ double worstOfFocusLayer(const Shot& shot) {
   return worstColour(layers.focusLayer, truth.focusLayer, some.pixels);
 }
 
-TEST_P(HardCases, withOcclusionAndShadow) {
+TEST_P(HardCases, Thorough_withOcclusionAndShadow) {
   Shot shot = GetParam().make();
   shot.scene.look.shading.enabled = true;
   // In the case focusEverything, one of these pixels is off by 1.03 even without occlusion, so that error is the limit.
@@ -431,7 +431,7 @@ double worstOfOpened(const Shot& shot) {
   return worstColour(layers.final, truth.final, some.pixels);
 }
 
-TEST_P(HardCases, withEachMethod) {
+TEST_P(HardCases, Exhaustive_withEachMethod) {
   Shot shot = GetParam().make();
   // A few of so many pixels are off with the adaptive cutaway, too, in the cases focusEverything and of opaque voxels.
   double limit = std::max(GetParam().colourLimit, worstOfOpened(shot));

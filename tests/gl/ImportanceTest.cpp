@@ -149,7 +149,7 @@ std::vector<Case> cases() {
   return all;
 }
 
-TEST_F(ImportanceLevels, MatchTheReference) {
+TEST_F(ImportanceLevels, Thorough_MatchTheReference) {
   for (const auto& [name, scene] : cases()) {
     SCOPED_TRACE(name);
     for (const Projection projection : {Projection::Perspective, Projection::Orthographic})
@@ -157,7 +157,7 @@ TEST_F(ImportanceLevels, MatchTheReference) {
   }
 }
 
-TEST_F(ImportanceLevels, MatchTheReferenceWithWhatElseAPictureMayHave) {
+TEST_F(ImportanceLevels, Exhaustive_MatchTheReferenceWithWhatElseAPictureMayHave) {
   for (const ImportanceMode mode : {ImportanceMode::Maximum, ImportanceMode::Average}) {
     SCOPED_TRACE(wordOf(mode).word);
     const Scene scene = organs({1, 2}, {{1, 3}, {2, 1}}, mode);
@@ -190,7 +190,7 @@ TEST_F(ImportanceLevels, MatchTheReferenceWithWhatElseAPictureMayHave) {
   }
 }
 
-TEST_F(ImportanceLevels, OfNormalQualityAreNoWorseThanOneLevel) {
+TEST_F(ImportanceLevels, Thorough_OfNormalQualityAreNoWorseThanOneLevel) {
   // Segments that begin on a surface of the focus are of the focus, on whichever side rounding has put their ends;
   // those that begin on another label's are not.
   for (const auto& [name, scene] : cases()) {
@@ -261,7 +261,7 @@ TEST_F(ImportanceLevels, RunAgainWhatAChangeConcerns) {
   EXPECT_TRUE(ran[4].contains("important hits"));
 }
 
-TEST_F(ImportanceLevels, ChangesLeaveNothingBehind) {
+TEST_F(ImportanceLevels, Exhaustive_ChangesLeaveNothingBehind) {
   Renderer renderer(gpuWith(usualSchedule()));
   const auto expectFresh = [&](const Scene& scene, const View& view, const std::string& what) {
     renderer.render(scene, view);

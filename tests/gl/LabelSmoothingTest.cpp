@@ -44,7 +44,7 @@ Scene body(const Grid& grid, LabelSmoothing smoothing) {
 
 Camera aside(const Grid& grid) { return Camera::fromAngles(33, 21, grid, Projection::Perspective); }
 
-TEST_F(LabelSmoothingTest, HitsAreThoseOfTheReference) {
+TEST_F(LabelSmoothingTest, Thorough_HitsAreThoseOfTheReference) {
   for (const LabelSmoothing strength : strengths)
     for (const Grid& grid : {gridOf({18, 17, 16}, glm::dvec3(3.0)), obliqueGrid({21, 17, 12})}) {
       Scene scene = body(grid, strength);
@@ -82,7 +82,7 @@ double errorOf(const Scene& scene, const View& view, Schedule schedule, const re
   return worst;
 }
 
-TEST_F(LabelSmoothingTest, BoundsHoldLitAndUnlit) {
+TEST_F(LabelSmoothingTest, Thorough_BoundsHoldLitAndUnlit) {
   const Grid grid = gridOf({18, 17, 16}, glm::dvec3(3.0));
   for (const LabelSmoothing strength : strengths)
     for (const bool lit : {false, true})

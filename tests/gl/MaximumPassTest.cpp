@@ -91,7 +91,7 @@ void expectMatches(const Scene& scene, bool opened, const std::string& what) {
   }
 }
 
-TEST_F(MaximumPassTest, IsTheReferences) {
+TEST_F(MaximumPassTest, Thorough_IsTheReferences) {
   const Scene scene = waves(false);
   for (const bool opened : {false, true}) expectMatches(scene, opened, opened ? "opened" : "closed");
   Scene plain = scene;

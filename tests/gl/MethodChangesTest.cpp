@@ -178,7 +178,7 @@ TEST_F(Methods, AMethodThatIsNotInUseCostsNothing) {
   }
 }
 
-TEST_F(Methods, ChangesLeaveNothingBehind) {
+TEST_F(Methods, Exhaustive_ChangesLeaveNothingBehind) {
   Renderer renderer(gpuWith(usualSchedule()));
   const auto expectFresh = [&](const Scene& scene, const View& view, const std::string& what) {
     renderer.render(scene, view);

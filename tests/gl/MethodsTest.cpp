@@ -110,7 +110,7 @@ TEST_F(Methods, ContextPreservingKeepsItsBoundAtAnySharpness) {
 
 /// Regions of less than a voxel, that end between voxels or hold the eye; contours that fall off within a voxel or
 /// reach through the whole body.
-TEST_F(Methods, FocalRegionsKeepTheirBoundAtAnySize) {
+TEST_F(Methods, Exhaustive_FocalRegionsKeepTheirBoundAtAnySize) {
   for (const bool lit : {true, false})
     for (const FocalShape shape : {FocalShape::Sphere, FocalShape::Box, FocalShape::Distance})
       for (const glm::dvec2 parameters : {glm::dvec2(0.3, 1e5), glm::dvec2(7.3, 0.4), glm::dvec2(60.0, 4.0)}) {
@@ -176,7 +176,7 @@ TEST_F(Methods, ASelectionHasSmoothEdges) {
   expectMatches(scene, frozen);
 }
 
-TEST_F(Methods, ValuesSmoothedLabelsAndSplines) {
+TEST_F(Methods, Exhaustive_ValuesSmoothedLabelsAndSplines) {
   for (const auto& [name, method] : eachMethod()) {
     SCOPED_TRACE(name);
     Scene values = hazyBody(method);
@@ -191,7 +191,7 @@ TEST_F(Methods, ValuesSmoothedLabelsAndSplines) {
   }
 }
 
-TEST_F(Methods, BrushProtectedLabelsAndClipping) {
+TEST_F(Methods, Exhaustive_BrushProtectedLabelsAndClipping) {
   for (const auto& [name, method] : eachMethod()) {
     SCOPED_TRACE(name);
     const Scene scene = hazyBody(method);
@@ -206,7 +206,7 @@ TEST_F(Methods, BrushProtectedLabelsAndClipping) {
   }
 }
 
-TEST_F(Methods, FrozenAndWithAnAxisOffset) {
+TEST_F(Methods, Exhaustive_FrozenAndWithAnAxisOffset) {
   for (const auto& [name, method] : eachMethod()) {
     SCOPED_TRACE(name);
     Scene scene = hazyBody(method);

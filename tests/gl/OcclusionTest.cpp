@@ -112,7 +112,7 @@ std::vector<Case> cases() {
           {"spline", with([](Scene& s) { s.look.reconstruction = Reconstruction::Cubic; })}};
 }
 
-TEST_F(OcclusionTest, PicturesKeepTheirBounds) {
+TEST_F(OcclusionTest, Exhaustive_PicturesKeepTheirBounds) {
   for (const Case& each : cases()) {
     std::optional<reference::Picture> truth;
     for (const Schedule schedule : pictureSchedules()) {
@@ -142,7 +142,7 @@ TEST_F(OcclusionTest, ParallelRaysKeepTheirBoundsToo) {
 
 /// The opening that casts is the one of the camera that cuts it. Rounding decides where rays that graze it start, with
 /// occlusion or without.
-TEST_F(OcclusionTest, AFrozenOpeningIsLitAsTheReferenceHasIt) {
+TEST_F(OcclusionTest, Thorough_AFrozenOpeningIsLitAsTheReferenceHasIt) {
   const Scene scene = body();
   View view = within(scene, 1.0);
   view.frozen = OpeningView{Camera::fromAngles(-10.0, 5.0, scene.volume->grid), {57, 58}, 1.0};
@@ -185,7 +185,7 @@ std::uint64_t runsOf(const Renderer& renderer, Pass pass) {
   return renderer.stats()[static_cast<std::size_t>(pass)].runs;
 }
 
-TEST_F(OcclusionTest, RunsAgainOnlyWhenWhatItDependsOnChanges) {
+TEST_F(OcclusionTest, Thorough_RunsAgainOnlyWhenWhatItDependsOnChanges) {
   Scene scene = body();
   scene.look.strokes.clear();
   Renderer renderer(gpuWith(usualSchedule()));
@@ -227,7 +227,7 @@ TEST_F(OcclusionTest, RunsAgainOnlyWhenWhatItDependsOnChanges) {
 }
 
 /// A picture drawn after a change is the one that a fresh renderer draws.
-TEST_F(OcclusionTest, ChangesLeaveNothingBehind) {
+TEST_F(OcclusionTest, Thorough_ChangesLeaveNothingBehind) {
   Scene scene = body();
   Renderer renderer(gpuWith(usualSchedule()));
   const auto expectFresh = [&](const Scene& changed, const char* what) {

@@ -57,7 +57,7 @@ int beyond(const std::vector<glm::vec4>& picture, const std::vector<glm::dvec4>&
   return count;
 }
 
-TEST_F(Peeled, AreTheReferencesWithEveryFocus) {
+TEST_F(Peeled, Exhaustive_AreTheReferencesWithEveryFocus) {
   for (const Focus& focus : focuses())
     for (const PeelSide side : {PeelSide::Anterior, PeelSide::Superior})
       for (const double amount : {0.3, 1.0}) {
@@ -74,7 +74,7 @@ TEST_F(Peeled, AreTheReferencesWithEveryFocus) {
       }
 }
 
-TEST_F(Peeled, AreTheReferencesClippedHiddenAndSmoothed) {
+TEST_F(Peeled, Thorough_AreTheReferencesClippedHiddenAndSmoothed) {
   std::vector<Scene> scenes(3, body(LabelFocus{{1}}, 0.8));
   scenes[0] = clipped(scenes[0], true);
   put(scenes[1].look.labels, {.label = 2, .role = LabelRole::Hidden});
@@ -88,7 +88,7 @@ TEST_F(Peeled, AreTheReferencesClippedHiddenAndSmoothed) {
   }
 }
 
-TEST_F(Peeled, NothingPeeledIsThePlainPictureToTheBitAndCostsNothing) {
+TEST_F(Peeled, Thorough_NothingPeeledIsThePlainPictureToTheBitAndCostsNothing) {
   for (const Focus& focus : focuses()) {
     const Scene scene = body(focus, 0.0);
     Scene plain = scene;

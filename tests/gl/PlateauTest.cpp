@@ -66,7 +66,7 @@ std::vector<std::pair<Scene, double>> evenScenes() {
           {evenScene<float>(third), third}};
 }
 
-TEST_F(Plateaus, AtAStepShowWhatIsAboveIt) {
+TEST_F(Plateaus, Thorough_AtAStepShowWhatIsAboveIt) {
   for (auto& [scene, value] : evenScenes())
     for (const auto& [function, above] : stepsAt(value))
       for (const bool lit : {false, true}) {
@@ -125,7 +125,7 @@ TEST_F(Plateaus, OfTheGreatestValueMayBeThin) {
       << "the error of normal quality where a step lies between the values";
 }
 
-TEST_F(Plateaus, WhereTheFocusEndsAreInFocus) {
+TEST_F(Plateaus, Thorough_WhereTheFocusEndsAreInFocus) {
   const OpticalProperties material{{0.8, 0.3, 0.9}, 0.06};
   for (auto& [scene, value] : evenScenes())
     for (const ValueRange& range :

@@ -39,7 +39,7 @@ int sharedBytes(const std::string& source) {
   return sum;
 }
 
-TEST_F(ProgramsTest, EveryShaderIsLinkedInSeveralVariants) {
+TEST_F(ProgramsTest, Thorough_EveryShaderIsLinkedInSeveralVariants) {
   std::map<std::string, int> variants;
   for (const auto& [source, linked] : programs()) ++variants[linked.path];
   for (const char* path :
@@ -116,7 +116,7 @@ TEST_F(ProgramsTest, EachPassesTheReferenceCompiler) {
 }
 
 // NVIDIA's driver counts images that a program declares, also those that it does not use.
-TEST_F(ProgramsTest, EachDeclaresNoMoreImagesThanOpenGlGuarantees) {
+TEST_F(ProgramsTest, Thorough_EachDeclaresNoMoreImagesThanOpenGlGuarantees) {
   ASSERT_TRUE(hasReferenceCompiler()) << "install glslang-tools";
   const SourceFiles sources(programs());
   std::string files;
@@ -264,7 +264,7 @@ TEST_F(ProgramsTest, TilesAndSchedulesDrawTheSamePictureForEachPropertyOfAScene)
   EXPECT_LT(drawn().drawn, drawn().kinds);
 }
 
-TEST_F(ProgramsTest, TilesAndSchedulesDrawTheSamePictureInEveryKindOfScene) {
+TEST_F(ProgramsTest, Exhaustive_TilesAndSchedulesDrawTheSamePictureInEveryKindOfScene) {
   const DrawnKinds every = drawKinds(Chosen::All);
   expectNoFaults(every);
   EXPECT_EQ(every.drawn, every.kinds);

@@ -59,7 +59,7 @@ double greatestOpacity(const std::vector<glm::dvec4>& colours) {
   return most;
 }
 
-TEST_F(ProtectedLayerPassTest, IsTheReferencesInBothSchedules) {
+TEST_F(ProtectedLayerPassTest, Thorough_IsTheReferencesInBothSchedules) {
   for (const bool lit : {false, true}) {
     const Scene scene = tubeInWaves(lit);
     for (const Projection projection : {Projection::Perspective, Projection::Orthographic})

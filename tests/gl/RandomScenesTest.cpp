@@ -103,7 +103,7 @@ TEST_F(RandomScenes, KeepTheirBound) {
   for (unsigned seed = 1; seed <= 12; ++seed) expectBound(seed);
 }
 
-TEST_F(RandomScenes, AreManyAndKeepTheirBound) {
+TEST_F(RandomScenes, Exhaustive_AreManyAndKeepTheirBound) {
   for (unsigned seed = 13; seed <= 300; ++seed) expectBound(seed);
 }
 

@@ -34,7 +34,7 @@ Scene coarse(const Grid& grid, Reconstruction reconstruction, double amplitude =
 
 Camera aside(const Grid& grid) { return Camera::fromAngles(33, 21, grid, Projection::Perspective); }
 
-TEST_F(ReconstructionTest, HitsAreThoseOfTheSpline) {
+TEST_F(ReconstructionTest, Thorough_HitsAreThoseOfTheSpline) {
   for (const Reconstruction kind : {Reconstruction::Cubic, Reconstruction::Smooth, Reconstruction::Smoother})
     for (const Grid& grid : {gridOf({14, 12, 13}, glm::dvec3(3.0)), obliqueGrid({16, 13, 9})}) {
       // In white noise of 60 hits are 0.0016 voxels off at the 99.9th percentile; scans are smoother.
@@ -95,7 +95,7 @@ double errorOf(const Scene& scene, const View& view, Schedule schedule) {
   return errorOf(scene, view, schedule, reference::picture(scene, view.camera, view.size));
 }
 
-TEST_F(ReconstructionTest, BoundsHoldLitAndUnlitInBothSchedules) {
+TEST_F(ReconstructionTest, Thorough_BoundsHoldLitAndUnlitInBothSchedules) {
   const Grid grid = gridOf({14, 12, 13}, glm::dvec3(3.0));
   constexpr glm::ivec2 large{128, 104};  // more than 10 000 pixels
   for (const Reconstruction kind : {Reconstruction::Cubic, Reconstruction::Smooth, Reconstruction::Smoother})

@@ -153,7 +153,7 @@ TEST_F(RemovalTest, ComeBackToTheBitAndCostNothingWhereThereAreNone) {
   EXPECT_EQ(bytes(), bytesBefore);
 }
 
-TEST_F(RemovalTest, OfEverythingLeaveNothing) {
+TEST_F(RemovalTest, Thorough_OfEverythingLeaveNothing) {
   for (const Focus& focus : focuses())
     for (const MethodKind kind : {kindOf<methods::Adaptive>, kindOf<methods::Sculpt>, kindOf<methods::Importance>}) {
       Scene scene = carvedBody(focus, Method(kind));

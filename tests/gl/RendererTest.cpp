@@ -45,7 +45,7 @@ std::string runsCausedBy(const Scene& before, const View& viewBefore, const Scen
   return names;
 }
 
-TEST_F(Passes, ReRunOnlyWhatAChangeReaches) {
+TEST_F(Passes, Thorough_ReRunOnlyWhatAChangeReaches) {
   const Scene scene = ballScene();
   const View view = viewOf(scene);
   const auto after = [&](auto&& change) {
@@ -85,7 +85,7 @@ TEST_F(Passes, ReRunOnlyWhatAChangeReaches) {
   EXPECT_EQ(runsCausedBy(scene, view, scene, larger), all);
 }
 
-TEST_F(Passes, SameAnswerWhetherPassesWereReusedOrNot) {
+TEST_F(Passes, Thorough_SameAnswerWhetherPassesWereReusedOrNot) {
   Scene scene = ballScene();
   const View view = viewOf(scene);
   Renderer reused(std::make_shared<GpuScene>());
@@ -396,7 +396,7 @@ TEST_F(Passes, BorderLiesBetweenItsWidthsOnTheContextAlone) {
     EXPECT_FALSE(pixel == glm::vec4(0.0f, 1.0f, 0.0f, 1.0f));
 }
 
-TEST_F(Passes, WhatLiesOverTheFocusLayerIsRedrawnAsInANewPicture) {
+TEST_F(Passes, Thorough_WhatLiesOverTheFocusLayerIsRedrawnAsInANewPicture) {
   // Only around the focus; a narrower border gives back what the wider one covered.
   Scene small = ballScene();
   small.labels = labelsOf(small.volume->grid, [](glm::ivec3 i) { return glm::length(glm::dvec3(i) - 12.0) < 3.0; });

@@ -76,9 +76,9 @@ void expectNoTrace(std::size_t every) {
     }
 }
 
-TEST_F(Tiles, ADroppedPictureLeavesNoTrace) { expectNoTrace(4); }
+TEST_F(Tiles, Thorough_ADroppedPictureLeavesNoTrace) { expectNoTrace(4); }
 
-TEST_F(Tiles, ADroppedPictureLeavesNoTraceBeforeAnyOther) { expectNoTrace(1); }
+TEST_F(Tiles, Exhaustive_ADroppedPictureLeavesNoTraceBeforeAnyOther) { expectNoTrace(1); }
 
 TEST_F(Tiles, APictureBegunAgainGoesOnWhereTheSharedSceneHasChanged) {
   Scene scene = bodyWithOrgans<std::int16_t>(gridOf({24, 22, 20})), other = scene;

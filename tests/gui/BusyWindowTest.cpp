@@ -48,7 +48,7 @@ class BusyWindow : public Window {
   }
 };
 
-TEST_F(BusyWindow, APictureThatIsBehindIsMarkedUntilItIsThere) {
+TEST_F(BusyWindow, Thorough_APictureThatIsBehindIsMarkedUntilItIsThere) {
   const SlowCompiler driver;
   askFor(kindOf<methods::ContextPreserving>);
   EXPECT_FALSE(isMarked(volume(0))) << "a short wait is no news";

@@ -64,7 +64,7 @@ class CarveWindow : public Window {
   std::array<QImage, 2> whole_;
 };
 
-TEST_F(CarveWindow, EachStrokeIsAStepThatUndoTakesBackToTheBit) {
+TEST_F(CarveWindow, Thorough_EachStrokeIsAStepThatUndoTakesBackToTheBit) {
   EXPECT_TRUE(rows().isVisibleTo(&panel<CutawayPanel>()));
   EXPECT_FALSE(rows().restore()->isEnabled());
   const Camera camera = cameras().camera(0);

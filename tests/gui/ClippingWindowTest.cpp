@@ -53,7 +53,7 @@ class ClippingWindow : public Window {
   }
 };
 
-TEST_F(ClippingWindow, ThePanelCropsAndUndoBringsThePictureBackToTheBit) {
+TEST_F(ClippingWindow, Thorough_ThePanelCropsAndUndoBringsThePictureBackToTheBit) {
   options().setClipHandles(false);  // pictures alone
   waitUntilDrawn();
   const QImage before = picture(volume(0));
@@ -210,7 +210,7 @@ TEST_F(ClippingWindow, HandlesShowWhileThePanelIsInSight) {
   EXPECT_TRUE(slice(SlicePlane::Axial)->clipTool().handles().empty());
 }
 
-TEST_F(ClippingWindow, ALabelIsExempt) {
+TEST_F(ClippingWindow, Thorough_ALabelIsExempt) {
   document().setFocus(std::monostate{});
   cursor().moveTo({1.0, 1.0, 1.0});
   choose(2);

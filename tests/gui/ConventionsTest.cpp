@@ -442,7 +442,7 @@ void Conventions::addGesturesOfAllViews(Cases& cases) {
   };
 }
 
-TEST_F(Conventions, EveryGestureDoesWhatItSays) {
+TEST_F(Conventions, Thorough_EveryGestureDoesWhatItSays) {
   std::set<std::string> wanted;
   for (const Gesture& each : gestures) wanted.insert(std::string(each.where) + ": " + each.gesture);
   Cases cases = sliceGestures();

@@ -35,7 +35,7 @@ class FreezeWindow : public Window {
   }
 };
 
-TEST_F(FreezeWindow, KeepsTheOpeningWhileTheCamerasMove) {
+TEST_F(FreezeWindow, Thorough_KeepsTheOpeningWhileTheCamerasMove) {
   const View before = volume(0)->restView();
   EXPECT_FALSE(before.frozen);
   press(Qt::Key_F);
@@ -69,7 +69,7 @@ TEST_F(FreezeWindow, AnotherStudyIsNotFrozen) {
   EXPECT_FALSE(cameras().isFrozen());
 }
 
-TEST_F(FreezeWindow, ThePanelTiltsTheOpening) {
+TEST_F(FreezeWindow, Thorough_ThePanelTiltsTheOpening) {
   auto& cutaway = panel<CutawayPanel>();
   auto* offset = cutaway.findChild<SliderSpin*>(QStringLiteral("axis_offset"));
   auto* direction = cutaway.findChild<QDoubleSpinBox*>(QStringLiteral("axis_direction"));

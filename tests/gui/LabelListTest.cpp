@@ -72,7 +72,7 @@ TEST_F(LabelListWindow, RolesAreChosenInTheirColumn) {
   EXPECT_EQ(picture(volume(0)), before) << "as at first";
 }
 
-TEST_F(LabelListWindow, AClickIn3DMeetsAProtectedStructureInTheOpening) {
+TEST_F(LabelListWindow, Thorough_AClickIn3DMeetsAProtectedStructureInTheOpening) {
   constexpr std::uint16_t shield = 3;
   const glm::dvec3 before(17.0, -32.0, 17.0);  // in front of the marker, as the camera looks from anterior
   io::Study study = markedBall();

@@ -44,7 +44,7 @@ class LanguageWindow : public Window, public testing::WithParamInterface<Languag
   }
 };
 
-TEST_P(LanguageWindow, NoTextIsCutOnASmallLaptop) {
+TEST_P(LanguageWindow, Thorough_NoTextIsCutOnASmallLaptop) {
   EXPECT_EQ(window_->size(), QSize(1366, 768)) << "the window is wider than the screen";
   for (QDockWidget* dock : window_->findChildren<QDockWidget*>()) {
     dock->show();
@@ -74,7 +74,7 @@ void checkMnemonics(const QList<QAction*>& entries, QStringList& found) {
   }
 }
 
-TEST_P(LanguageWindow, EachMnemonicOfAMenuIsForOneEntry) {
+TEST_P(LanguageWindow, Thorough_EachMnemonicOfAMenuIsForOneEntry) {
   QStringList found;
   checkMnemonics(window_->menuBar()->actions(), found);
   EXPECT_EQ(found.join(QLatin1Char('\n')).toStdString(), "");

@@ -194,7 +194,7 @@ class Sections : public Window {
 }  // namespace
 
 /// All that a small laptop's screen must show, and nothing that moves under the mouse.
-TEST_F(Sections, FitASmallLaptop) {
+TEST_F(Sections, Thorough_FitASmallLaptop) {
   open(studyOfManyLabels());
   document().focusOn(marker);
   window_->resize(1366, 768);
@@ -364,7 +364,7 @@ TEST_F(Window, HeightsOfPanelsAreTheUsersOnceABorderWasDragged) {
   EXPECT_GT(dockHeights(again)[1], chosen[1] + 30);
 }
 
-TEST_F(Window, LightThemeIsRememberedAndLeavesPicturesAlone) {
+TEST_F(Window, Thorough_LightThemeIsRememberedAndLeavesPicturesAlone) {
   useScratchSettings();
   waitUntilDrawn();
   const QImage before = picture(slice(SlicePlane::Axial));

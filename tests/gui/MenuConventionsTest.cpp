@@ -337,7 +337,7 @@ Conventions::Cases Conventions::menuCases() {
   return cases;
 }
 
-TEST_F(Conventions, EveryKeyOfTheMenusDoesWhatItSays) {
+TEST_F(Conventions, Thorough_EveryKeyOfTheMenusDoesWhatItSays) {
   std::set<std::string> keys;
   for (const MenuKey& each : menuKeys(*qobject_cast<QMainWindow*>(window_.get())->menuBar())) {
     EXPECT_TRUE(keys.insert(each.keys.toStdString()).second) << each.keys.toStdString() << " twice";

@@ -115,7 +115,7 @@ TEST_F(MethodWindow, ParametersOutliveAnotherMethodAndComeBackByUndo) {
   EXPECT_EQ(method().chosen(), ChosenMethod(methods::Cone{.angle = 20.0}));
 }
 
-TEST_F(MethodWindow, EachHasItsOwnRowsAndIsAStepOfTheHistory) {
+TEST_F(MethodWindow, Thorough_EachHasItsOwnRowsAndIsAStepOfTheHistory) {
   const QImage adaptive = picture(volume(0));
   auto* width = control<SliderSpin>("open_width");
   EXPECT_TRUE(width->isEnabled());
@@ -158,7 +158,7 @@ TEST_F(MethodWindow, EachHasItsOwnRowsAndIsAStepOfTheHistory) {
   EXPECT_EQ(picture(volume(0)), adaptive) << "to the bit";
 }
 
-TEST_F(MethodWindow, LabelsHaveLevelsOfImportance) {
+TEST_F(MethodWindow, Thorough_LabelsHaveLevelsOfImportance) {
   auto& list = *panel<CutawayPanel>().findChild<ImportanceList*>();
   EXPECT_FALSE(list.isVisibleTo(&panel<CutawayPanel>()));
   const int width = panel<CutawayPanel>().width();
@@ -198,7 +198,7 @@ TEST_F(MethodWindow, LabelsHaveLevelsOfImportance) {
   EXPECT_FALSE(list.isVisibleTo(&panel<CutawayPanel>()));
 }
 
-TEST_F(MethodWindow, ClearViewHasALensInPlaceOfWidthAndBorder) {
+TEST_F(MethodWindow, Thorough_ClearViewHasALensInPlaceOfWidthAndBorder) {
   const QImage adaptive = picture(volume(0));
   const int steps = document().undoStack().index(), width = panel<CutawayPanel>().width();
   choose("kind", kindOf<methods::ClearView>);
@@ -246,7 +246,7 @@ TEST_F(MethodWindow, ClearViewHasALensInPlaceOfWidthAndBorder) {
   EXPECT_EQ(picture(volume(0)), adaptive) << "to the bit";
 }
 
-TEST_F(MethodWindow, ContextPreservingCutsNothingAway) {
+TEST_F(MethodWindow, Thorough_ContextPreservingCutsNothingAway) {
   const QImage adaptive = picture(volume(0));
   const int steps = document().undoStack().index(), width = panel<CutawayPanel>().width();
   const bool hasEdges = panel<ContextLayerPanel>().isEnabled();
@@ -286,7 +286,7 @@ TEST_F(MethodWindow, ContextPreservingCutsNothingAway) {
   EXPECT_EQ(picture(volume(0)), adaptive) << "to the bit";
 }
 
-TEST_F(MethodWindow, AFocalRegionHasAShapeASizeAndAFallOff) {
+TEST_F(MethodWindow, Thorough_AFocalRegionHasAShapeASizeAndAFallOff) {
   const QImage adaptive = picture(volume(0));
   const int steps = document().undoStack().index(), width = panel<CutawayPanel>().width();
   choose("kind", kindOf<methods::FocalRegion>);
@@ -369,7 +369,7 @@ TEST_F(MethodWindow, WallsFollowTheSlices) {
   cursor().moveTo(crosshair);
 }
 
-TEST_F(MethodWindow, AnExplodedViewHasADegreeAndPlanes) {
+TEST_F(MethodWindow, Thorough_AnExplodedViewHasADegreeAndPlanes) {
   cameras().setAnimated(false);
   cameras().orbit(0, 0.3, 0.2);  // the patient's axes are not the view's
   waitUntilDrawn();
@@ -403,7 +403,7 @@ TEST_F(MethodWindow, AnExplodedViewHasADegreeAndPlanes) {
   while (document().undoStack().index() > steps) document().undoStack().undo();
 }
 
-TEST_F(MethodWindow, AGhostedSelectionKeepsEdgesInItsOpening) {
+TEST_F(MethodWindow, Thorough_AGhostedSelectionKeepsEdgesInItsOpening) {
   const QImage adaptive = picture(volume(0));
   const int steps = document().undoStack().index(), width = panel<CutawayPanel>().width();
   choose("kind", kindOf<methods::Selection>);
@@ -431,7 +431,7 @@ TEST_F(MethodWindow, AGhostedSelectionKeepsEdgesInItsOpening) {
   EXPECT_EQ(picture(volume(0)), adaptive) << "to the bit";
 }
 
-TEST_F(MethodWindow, PeelingHasAnAmountASideAndAShape) {
+TEST_F(MethodWindow, Thorough_PeelingHasAnAmountASideAndAShape) {
   cameras().setAnimated(false);
   const QImage adaptive = picture(volume(0));
   const int steps = document().undoStack().index(), width = panel<CutawayPanel>().width();
@@ -467,7 +467,7 @@ TEST_F(MethodWindow, PeelingHasAnAmountASideAndAShape) {
   EXPECT_EQ(picture(volume(0)), adaptive) << "to the bit";
 }
 
-TEST_F(MethodWindow, ALayerIsPeeledOffWhenTheMethodIsChosenAndBackWhenItIsLeft) {
+TEST_F(MethodWindow, Thorough_ALayerIsPeeledOffWhenTheMethodIsChosenAndBackWhenItIsLeft) {
   const auto shown = [&] { return volume(0)->shownScene().look.method; };
   cameras().setAnimated(true);
   choose("kind", kindOf<methods::Peel>);

@@ -110,7 +110,7 @@ TEST_F(Surfaces, EnlargeAPictureOfFewPixelsInTheSameWay) {
   EXPECT_NE(card.pixel(60, 1), card.pixel(60, 88)) << "there is a picture";
 }
 
-TEST_F(Surfaces, APictureOfHalfTheResolutionCoversAnEvenNumberOfPixels) {
+TEST_F(Surfaces, Thorough_APictureOfHalfTheResolutionCoversAnEvenNumberOfPixels) {
   const glm::ivec2 shown(119, 89), covered = coveredAtHalf(shown);
   EXPECT_EQ(covered, glm::ivec2(120, 90));
   const QImage truth = on(true, shown, shown);

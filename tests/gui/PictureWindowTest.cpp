@@ -73,7 +73,7 @@ TEST_F(PictureWindow, ASavedPictureIsWhatTheWindowShows) {
   EXPECT_EQ(meanDifference(saved.copy(axial), slice(SlicePlane::Axial)->grab().toImage()), 0.0);
 }
 
-TEST_F(PictureWindow, ASavedPictureSaysHowFaithfulItIs) {
+TEST_F(PictureWindow, Thorough_ASavedPictureSaysHowFaithfulItIs) {
   Look look = document().look();
   look.clipping.planes = {{glm::dvec3(1.0, 0.0, 0.0), 0.0}};
   document().edit(QStringLiteral("clip"), look);

@@ -79,7 +79,7 @@ TEST_F(PlacedWindow, MeasuringInSlicesChangesNothing) {
   }));
 }
 
-TEST_F(PlacedWindow, RefiningShowsProgressAndCanBeCancelled) {
+TEST_F(PlacedWindow, Thorough_RefiningShowsProgressAndCanBeCancelled) {
   const glm::dvec3 before = direction(0);
   PlacementSettings settings = placement().settings();
   settings.sampling.refined = true;

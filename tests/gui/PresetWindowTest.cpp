@@ -109,7 +109,7 @@ TEST_F(PresetWindow, AKeptLookComesBackWholeAsOneStep) {
   EXPECT_EQ(picker().box()->currentIndex(), -1) << "edited";
 }
 
-TEST_F(PresetWindow, ALabelsOwnFunctionGoesWithTheLook) {
+TEST_F(PresetWindow, Thorough_ALabelsOwnFunctionGoesWithTheLook) {
   const auto functionOf = [&](std::uint16_t label) { return document().labelSetting(label).function; };
   document().focusOn(marker);
   const TransferFunction own{{{0.0, {{1.0, 0.0, 0.0}, 0.25}}, {900.0, {{0.0, 0.0, 1.0}, 2.0}}}};

@@ -155,7 +155,7 @@ class PrivacyWindow : public Window {
   std::string printed_;
 };
 
-TEST_F(PrivacyWindow, NothingNamesAHiddenPatient) {
+TEST_F(PrivacyWindow, Thorough_NothingNamesAHiddenPatient) {
   const fs::path data = root_ / "study", written = root_ / "written", copies = root_ / "copies";
   fs::create_directories(written);
   writeStudy(data);

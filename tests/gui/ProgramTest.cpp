@@ -34,7 +34,7 @@ Ended run(const QStringList& arguments,
 
 QString qt(const std::filesystem::path& path) { return QString::fromStdString(path.string()); }
 
-TEST(Program, SavesTheWholeWindowAndExits) {
+TEST(Program, Thorough_SavesTheWholeWindowAndExits) {
   const std::filesystem::path picture = tests::scratchFolder() / "window.png";
   const Ended ended =
       run({"--phantom", "torso", "--phantom-voxels", "64", "--size", "1200x760", "--screenshot", qt(picture)});
@@ -44,7 +44,7 @@ TEST(Program, SavesTheWholeWindowAndExits) {
   EXPECT_EQ(image.size(), QSize(1200, 760) * scale);
 }
 
-TEST(Program, AScreenshotShowsCoarseDataAsTheWindowDoes) {
+TEST(Program, Thorough_AScreenshotShowsCoarseDataAsTheWindowDoes) {
   const std::filesystem::path scratch = tests::scratchFolder();
   const auto picture = [&](const char* name, const QStringList& more) {
     const QString file = qt(scratch / name);
@@ -58,7 +58,7 @@ TEST(Program, AScreenshotShowsCoarseDataAsTheWindowDoes) {
   EXPECT_NE(first, picture("linear.png", {"--reconstruction", "linear"}));
 }
 
-TEST(Program, AScreenshotNamesThePatientOnlyWhenAsked) {
+TEST(Program, Thorough_AScreenshotNamesThePatientOnlyWhenAsked) {
   const std::filesystem::path scratch = tests::scratchFolder();  // empties the folder
   const auto series = [&](const char* name, const char* patient) {
     const std::filesystem::path folder = scratch / name;
@@ -132,7 +132,7 @@ TEST(Program, RefusesWrongUsage) {
   EXPECT_EQ(run({"--no-such-option"}).code, 2);
 }
 
-TEST(Program, EndsWithOneLineWhenThePictureCannotBeWritten) {
+TEST(Program, Thorough_EndsWithOneLineWhenThePictureCannotBeWritten) {
   const Ended ended =
       run({"--phantom", "torso", "--phantom-voxels", "32", "--screenshot", "/no/such/folder/window.png"});
   EXPECT_EQ(ended.code, 1);

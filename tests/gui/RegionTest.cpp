@@ -322,7 +322,7 @@ TEST_F(Regions, AnOpenedRegionIsCorrectedFromWhatItGrewFrom) {
   EXPECT_EQ(grower_.memory().first(), first);
 }
 
-TEST_F(Regions, GrownAgainFromItsSeedsARegionIsTheSame) {
+TEST_F(Regions, Thorough_GrownAgainFromItsSeedsARegionIsTheSame) {
   // Sessions and `fenestra-cli grow` have the seeds alone, and grow from them with nothing known of the volume.
   const auto expectSame = [&](const char* what) {
     const auto again = io::growWholeRegion(*document_.scene().volume, *document_.region(), "made");
@@ -355,7 +355,7 @@ TEST_F(Regions, GrownAgainFromItsSeedsARegionIsTheSame) {
   expectSame("done again");
 }
 
-TEST_F(Regions, ABallBoundsTheRegion) {
+TEST_F(Regions, Thorough_ABallBoundsTheRegion) {
   document_.growFrom(left, 8.0);
   waitUntilGrown();
   const double bound = ball / 8.0;
@@ -371,7 +371,7 @@ TEST_F(Regions, ABallBoundsTheRegion) {
   EXPECT_TRUE(document_.isWhole());
 }
 
-TEST_F(Regions, SaysWhatItIs) {
+TEST_F(Regions, Thorough_SaysWhatItIs) {
   EXPECT_FALSE(document_.regionFacts());
   click(left);
   waitUntilGrown();
@@ -406,7 +406,7 @@ TEST(RegionText, NamesDirectionsInThePatient) {
   EXPECT_EQ(directionText(glm::dvec3(0.0)), "on all sides");
 }
 
-TEST_F(Regions, WithoutGrowingAClickLeavesTheFocusAlone) {
+TEST_F(Regions, Thorough_WithoutGrowingAClickLeavesTheFocusAlone) {
   clickStructure(document_, left, {}, false);
   EXPECT_FALSE(document_.region());
   click(left);
@@ -428,7 +428,7 @@ TEST_F(Regions, OnlyTheLastOfManyQuickClicksIsGrown) {
   EXPECT_NEAR(shownVolume(), ball, 0.05 * ball);
 }
 
-TEST_F(Regions, AClickOnALabelChoosesTheLabel) {
+TEST_F(Regions, Thorough_AClickOnALabelChoosesTheLabel) {
   click(left);
   waitUntilGrown();
   editor_.keepRegion(QStringLiteral("left"), {0.1, 0.9, 0.2});
@@ -444,7 +444,7 @@ TEST_F(Regions, AClickOnALabelChoosesTheLabel) {
   EXPECT_FALSE(grower_.isGrowing());
 }
 
-TEST_F(Regions, KeptLabelsAreEditedAndUndoneToTheBit) {
+TEST_F(Regions, Thorough_KeptLabelsAreEditedAndUndoneToTheBit) {
   click(left);
   waitUntilGrown();
   const double grown = shownVolume();

@@ -111,7 +111,7 @@ class ResultsWindow : public ArchiveWindow {
   tests::MadeStudy study_;
 };
 
-TEST_F(ResultsWindow, EachKindIsWrittenIntoTheStudyAndReadAgain) {
+TEST_F(ResultsWindow, Thorough_EachKindIsWrittenIntoTheStudyAndReadAgain) {
   const fs::path folder = emptyFolder("out");
   writeEachKind(folder);
   EXPECT_EQ(filesIn(folder), (std::vector<std::string>{"focus.dcm", "key-images.dcm", "measures.dcm", "picture.dcm",

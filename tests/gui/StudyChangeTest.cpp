@@ -169,11 +169,11 @@ TEST_F(StudyChange, AStudyByASlowDriver) {
   EXPECT_EQ(blank, 2) << "both views are blank from the first moment on";
 }
 
-TEST_F(StudyChange, ASessionOverAStudy) {
+TEST_F(StudyChange, Thorough_ASessionOverAStudy) {
   follow([&] { window_->open(std::vector{writeBlueSession()}); });
 }
 
-TEST_F(StudyChange, ASessionByASlowReaderAndASlowDriver) {
+TEST_F(StudyChange, Thorough_ASessionByASlowReaderAndASlowDriver) {
   const std::filesystem::path file = writeBlueSession();
   const SlowDriver driver;
   follow([&] {

@@ -168,7 +168,7 @@ TEST_F(TagList, HoldsNothingWhileItIsHidden) {
 
 }  // namespace
 
-TEST_F(Window, TheTagsFollowTheActiveSlice) {
+TEST_F(Window, Thorough_TheTagsFollowTheActiveSlice) {
   const fs::path folder = tests::scratchFolder() / "study";
   writeSlices(folder, {0, 1, 2, 3, 4, 5, 6, 7});
   drop({folder});

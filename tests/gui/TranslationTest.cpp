@@ -150,7 +150,7 @@ TEST_F(PseudoWindow, TheMenusShowNoUntranslatedText) {
     EXPECT_TRUE(unmarkedWords(entry->text()).isEmpty()) << entry->text().toStdString();
 }
 
-TEST_F(PseudoWindow, TheDialogsShowNoUntranslatedText) {
+TEST_F(PseudoWindow, Thorough_TheDialogsShowNoUntranslatedText) {
   QCoreApplication::setAttribute(Qt::AA_DontUseNativeDialogs);
   document().focusOn(marker);
   waitUntilDrawn();

@@ -62,7 +62,7 @@ TEST_F(VerificationWindow, StatesTheErrorOfTheActiveViewsPicture) {
       result.certificate.pixels);
 }
 
-TEST_F(VerificationWindow, TellsAWrongPictureFromARightOne) {
+TEST_F(VerificationWindow, Thorough_TellsAWrongPictureFromARightOne) {
   // A draft of a volume with fine structure is further off than a picture with a bound.
   views().setAtRest(Quality::Draft, {});
   waitUntilDrawn();

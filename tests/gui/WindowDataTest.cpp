@@ -371,7 +371,7 @@ std::filesystem::path writeGap() {
   return folder;
 }
 
-TEST_F(Window, SlicesThatLieUnevenlyCanBePlacedInEitherWay) {
+TEST_F(Window, Thorough_SlicesThatLieUnevenlyCanBePlacedInEitherWay) {
   window_->open(std::vector{writeGap()});
   QSignalSpy opened(window_.get(), &MainWindow::opened);
   ASSERT_TRUE(opened.wait(patience));

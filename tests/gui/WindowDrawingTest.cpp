@@ -128,7 +128,7 @@ TEST_F(Window, TheBackgroundIsChosenAndUndone) {
   EXPECT_EQ(document().look().background, before);
 }
 
-TEST_F(Window, LightBackdropAndLabelSurfacesAreChosenAndUndone) {
+TEST_F(Window, Thorough_LightBackdropAndLabelSurfacesAreChosenAndUndone) {
   document().focusOn(marker);
   waitUntilDrawn();
   const QImage before = picture(volume(0));
@@ -207,7 +207,7 @@ TEST_F(Window, QualityAtRestIsChosenAndSaid) {
   EXPECT_TRUE(QTest::qWaitFor(said, patience));
 }
 
-TEST_F(Window, InputEndsARefinementAndThePictureAtRestIsTheSame) {
+TEST_F(Window, Thorough_InputEndsARefinementAndThePictureAtRestIsTheSame) {
   views().setAtRest(Quality::Normal, 0.5);
   waitUntilDrawn();
   const ViewLink::Pose pose = cameras().pose();

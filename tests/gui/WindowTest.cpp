@@ -247,7 +247,7 @@ TEST_F(Window, TheFocusRingLeavesABoxToTickFree) {
   EXPECT_TRUE(QTest::qWaitFor([&] { return !ring(); }, patience));
 }
 
-TEST_F(Window, CrosshairGoesToAFocusThatIsChosenByNameOrOpened) {
+TEST_F(Window, Thorough_CrosshairGoesToAFocusThatIsChosenByNameOrOpened) {
   LabelList* list = panel<FocusPanel>().list();
   list->doubleClicked(list->model()->index(1, 0));
   EXPECT_EQ(document().focus(), Focus(LabelFocus{{marker}}));

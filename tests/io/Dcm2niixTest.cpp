@@ -220,7 +220,7 @@ void compareAt(const fs::path& place, const fs::path& out, DifferentialCounts& c
 
 }  // namespace
 
-TEST(Dcm2niix, EveryDicomSeriesIsAsDcm2niixConvertsItOrARowSaysWhyNot) {
+TEST(Dcm2niix, Thorough_EveryDicomSeriesIsAsDcm2niixConvertsItOrARowSaysWhyNot) {
   FENESTRA_TEST_DATA_OR_SKIP(dicom, "dicom");
   if (!isInstalled()) GTEST_SKIP() << "dcm2niix is not installed";
   const fs::path out = scratchFolder() / "nifti";

@@ -122,7 +122,7 @@ void compareAt(const fs::path& place, Counts& counts) {
 
 }  // namespace
 
-TEST(Differential, EveryDicomSeriesIsAsGdcmReadsItOrARowSaysWhyNot) {
+TEST(Differential, Thorough_EveryDicomSeriesIsAsGdcmReadsItOrARowSaysWhyNot) {
   FENESTRA_TEST_DATA_OR_SKIP(dicom, "dicom");
   Counts counts;
   for (const fs::path& place : dicomPlaces()) compareAt(place, counts);

@@ -208,7 +208,7 @@ TEST(RealSegmentation, AreListedWithTheirSeries) {
   EXPECT_EQ(planned.segmentations[0].structures.size(), 10u);
 }
 
-TEST(RealSegmentation, ContoursAreFilledAsTheirCrossingsSay) {
+TEST(RealSegmentation, Thorough_ContoursAreFilledAsTheirCrossingsSay) {
   FENESTRA_TEST_DATA_OR_SKIP(folder, "dicom/rtstruct");
   const Grid phantom = io::openVolume(folder / "rt-utils").volume->grid;
   const auto labels = io::openLabels(folder / "rt-utils/rt.dcm", phantom).labels;

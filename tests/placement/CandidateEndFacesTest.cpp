@@ -25,7 +25,7 @@ Scene cutBody(const Grid& grid, Focus focus) {
   return scene;
 }
 
-TEST_F(CandidateTest, EndFacesAgreeWithTheCpu) {
+TEST_F(CandidateTest, Exhaustive_EndFacesAgreeWithTheCpu) {
   std::vector<glm::dvec3> few = someDirections();
   few.resize(2);
   few.emplace_back(0.0, 0.0, -1.0);
@@ -103,7 +103,7 @@ TEST_F(CandidateTest, EndFacesAreMeasuredAgainOnlyWhenTheyChange) {
   EXPECT_EQ(measured(without), plain);
 }
 
-TEST_F(CandidateTest, RefinementWithEndFacesFindsWhatAnExhaustiveSearchFinds) {
+TEST_F(CandidateTest, Thorough_RefinementWithEndFacesFindsWhatAnExhaustiveSearchFinds) {
   const Grid grid = gridOf({37, 31, 29});
   const Scene scene = cutBody(grid, LabelFocus{{1}});
   const Options options;

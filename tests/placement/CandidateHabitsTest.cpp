@@ -42,7 +42,7 @@ Scene trunk(glm::ivec3 dims) {
 
 const double limit = std::sqrt(0.5) + 1e-9;
 
-TEST_F(HabitsTest, NoCameraLooksThroughTheEndsOfACutTrunk) {
+TEST_F(HabitsTest, Thorough_NoCameraLooksThroughTheEndsOfACutTrunk) {
   const Scene scene = trunk({40, 40, 40});
   Options options;
   options.weights.endFace = 0.0;  // measured by what the context shows; here the habit is alone

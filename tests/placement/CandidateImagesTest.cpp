@@ -5,7 +5,7 @@
 namespace fenestra::placement::candidateImagesTest {
 namespace {
 
-TEST_F(CandidateTest, LabelsAgreeWithTheCpuOnEveryKindOfGrid) {
+TEST_F(CandidateTest, Thorough_LabelsAgreeWithTheCpuOnEveryKindOfGrid) {
   for (const Grid& grid : {gridOf({37, 31, 29}), gridOf({33, 29, 14}, {0.8, 1.1, 2.9}, {400.0, -3000.0, 7.0}),
                            obliqueGrid({31, 25, 17}), shearedGrid({31, 25, 17})}) {
     const Scene scene = labelScene(grid, [&](glm::ivec3 index) { return lobes(grid, index); });
@@ -13,7 +13,7 @@ TEST_F(CandidateTest, LabelsAgreeWithTheCpuOnEveryKindOfGrid) {
   }
 }
 
-TEST_F(CandidateTest, SmoothedLabelsAgreeWithTheCpu) {
+TEST_F(CandidateTest, Exhaustive_SmoothedLabelsAgreeWithTheCpu) {
   const Grid grid = obliqueGrid({31, 25, 17});
   Scene scene = labelScene(grid, [&](glm::ivec3 index) { return lobes(grid, index); });
   scene.look.labelSmoothing = LabelSmoothing::Strong;

@@ -42,14 +42,14 @@ class PlacedStructures : public CommandLine {
 const std::vector<std::string> withoutHabits{"--avoid-cut-ends",  "off", "--upright-first",   "off",
                                              "--near-side-first", "off", "--flat-from-front", "off"};
 
-TEST_F(PlacedStructures, OfATorso) {
+TEST_F(PlacedStructures, Thorough_OfATorso) {
   FENESTRA_TEST_DATA_OR_SKIP(ct, "labelled/totalsegmentator-torso/example_ct.nii.gz");
   FENESTRA_TEST_DATA_OR_SKIP(labels, "labelled/totalsegmentator-torso/example_seg_fast_force_split.nii.gz");
   // Kidneys, liver, the third lumbar vertebra, aorta, spleen.
   for (const char* focus : {"2,3", "5", "29", "52", "1"}) expectNoneThroughEnds(labelled(ct, labels, focus), 0);
 }
 
-TEST_F(PlacedStructures, OfAHead) {
+TEST_F(PlacedStructures, Thorough_OfAHead) {
   FENESTRA_TEST_DATA_OR_SKIP(ct, "labelled/bodyparts3d/head/head_ct.nii.gz");
   FENESTRA_TEST_DATA_OR_SKIP(labels, "labelled/bodyparts3d/head/head_seg.nii.gz");
   // Ventricles, eyes, mandible.
@@ -58,19 +58,19 @@ TEST_F(PlacedStructures, OfAHead) {
   EXPECT_LT(along(placed(labelled(ct, labels, "139"), withoutHabits)["c2"]), -std::sqrt(0.5));
 }
 
-TEST_F(PlacedStructures, OfTheVisibleHumansHead) {
+TEST_F(PlacedStructures, Thorough_OfTheVisibleHumansHead) {
   const fs::path ct = unpackTestData("visible-human/VHMCT1mm_Head.tar.xz", "VHMCT1mm_Head");
   if (ct.empty()) GTEST_SKIP() << "needs the test-data file visible-human/VHMCT1mm_Head.tar.xz";
   expectNoneThroughEnds({ct.string(), "--focus-range", "300:3000"}, -1);
 }
 
-TEST_F(PlacedStructures, OfABrain) {
+TEST_F(PlacedStructures, Thorough_OfABrain) {
   FENESTRA_TEST_DATA_OR_SKIP(mr, "labelled/brain-colin27/ch2.nii.gz");
   FENESTRA_TEST_DATA_OR_SKIP(labels, "labelled/brain-colin27/aal.nii.gz");
   for (const char* focus : {"37,38", "71,72", "77,78"}) expectNoneThroughEnds(labelled(mr, labels, focus), -1);
 }
 
-TEST_F(PlacedStructures, OfAHandAndAFoot) {
+TEST_F(PlacedStructures, Thorough_OfAHandAndAFoot) {
   FENESTRA_TEST_DATA_OR_SKIP(hand, "labelled/bodyparts3d/hand/hand_ct.nii.gz");
   FENESTRA_TEST_DATA_OR_SKIP(handLabels, "labelled/bodyparts3d/hand/hand_seg.nii.gz");
   FENESTRA_TEST_DATA_OR_SKIP(foot, "labelled/bodyparts3d/foot/foot_ct.nii.gz");
@@ -81,7 +81,7 @@ TEST_F(PlacedStructures, OfAHandAndAFoot) {
   EXPECT_GT(along(placed(labelled(hand, handLabels, "147"), withoutHabits)["c1"]), std::sqrt(0.5));
 }
 
-TEST_F(PlacedStructures, OfAThinStack) {
+TEST_F(PlacedStructures, Thorough_OfAThinStack) {
   FENESTRA_TEST_DATA_OR_SKIP(ct, "labelled/totalsegmentator-dicom/example_ct_dicom");
   FENESTRA_TEST_DATA_OR_SKIP(labels, "labelled/totalsegmentator-dicom/example_seg_dicom.nii.gz");
   const Json liver = placed(labelled(ct, labels, "5"));

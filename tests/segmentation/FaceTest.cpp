@@ -125,7 +125,7 @@ TEST(Face, IsFoundInARealMr) {
   expectPoints(head, {{0, -151, -40}, {35, -122, -20}}, {{0, -102, 9}, {30, -100, 20}});
 }
 
-TEST(Face, IsFoundInAHeadWithShoulders) {
+TEST(Face, Exhaustive_IsFoundInAHeadWithShoulders) {
   const std::filesystem::path head = unpackTestData("visible-human/VHMCT1mm_Head.tar.xz", "VHMCT1mm_Head");
   if (head.empty()) GTEST_SKIP() << "needs the test-data file visible-human/VHMCT1mm_Head.tar.xz";
   expectPoints(head, {{256, 143, 1141}, {256, 160, 1045}}, {{256, 181, 1196}, {256, 184, 1164}});

@@ -87,7 +87,7 @@ TEST(RandomWalk, LeavesOutWhatASeedOutsideMeans) {
   EXPECT_LT(region->joins[region->box.offset(voxelOf(*volume, middle + glm::dvec3(0.0, 5.0, 0.0)))], region->step);
 }
 
-TEST(RandomWalk, IsWhatAClickInAThalamusOpens) {
+TEST(RandomWalk, Thorough_IsWhatAClickInAThalamusOpens) {
   FENESTRA_TEST_DATA_OR_SKIP(brain, "labelled/brain-colin27/ch2.nii.gz");
   const auto volume = io::openVolume(brain).volume;
   const RegionFocus click{{{11.0, 18.0, 8.0}}, {}, {}, {}, RegionRule::Tissues};

@@ -264,7 +264,7 @@ void PrintTo(const PhantomCase& each, std::ostream* out) { *out << each.phantom 
 
 class PhantomGrowing : public ::testing::TestWithParam<PhantomCase> {};
 
-TEST_P(PhantomGrowing, FindsTheStructure) {
+TEST_P(PhantomGrowing, Thorough_FindsTheStructure) {
   const PhantomCase& each = GetParam();
   const io::OpenedPhantom phantom = io::openPhantom(each.phantom, 200);
   const Growth growth = grow(*phantom.volume.volume, {{each.seed}, {}, {}});

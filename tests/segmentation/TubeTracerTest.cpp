@@ -128,7 +128,7 @@ TEST(TubeTracer, NeedsNoDepth) {
   traceTube(*slice, noiseOf(*slice), {30, 30, 0});  // whatever it finds
 }
 
-TEST(RegionByTube, AClickInAVesselTakesItAlone) {
+TEST(RegionByTube, Thorough_AClickInAVesselTakesItAlone) {
   const std::shared_ptr<Volume> volume = ctOf(bendGrid, inEither);
   for (const double angle : {0.3, 0.8, 1.2})
     EXPECT_GT(diceOf(regionOf(*volume, clickAt(bendGrid, inBendAt(angle))), inBend), 0.85) << angle;
@@ -180,7 +180,7 @@ TEST(RegionByTube, CorrectionsCutItAndGoOn) {
   EXPECT_LT(volumeOf(added), 1.3 * volumeOf(whole)) << "nothing of the block";
 }
 
-TEST(RegionByTube, FollowsVesselsWithoutContrastAgent) {
+TEST(RegionByTube, Thorough_FollowsVesselsWithoutContrastAgent) {
   FENESTRA_TEST_DATA_OR_SKIP(folder, "labelled/totalsegmentator-torso");
   const auto volume = io::openVolume(folder / "example_ct.nii.gz").volume;
   const auto labels = io::openLabels(folder / "example_seg_fast_force_split.nii.gz", volume->grid).labels;

@@ -74,7 +74,7 @@ TEST_F(HostileSession, TruncatedOnesAreErrors) {
     EXPECT_FALSE(errorFrom(good_.substr(0, size)).empty()) << "cut to " << size;
 }
 
-TEST_F(HostileSession, FlippedBitsAreErrorsOrSessions) {
+TEST_F(HostileSession, Thorough_FlippedBitsAreErrorsOrSessions) {
   std::mt19937 random(20260131);
   for (int round = 0; round < 4000; ++round) {
     std::string text = good_;

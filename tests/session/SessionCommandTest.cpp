@@ -137,7 +137,7 @@ TEST_F(SessionCommand, ALookThatIsNoneIsOneLineThatNamesTheFile) {
   EXPECT_EQ(run({"render", "head.nii.gz", "--look", "pretty", "-o", "picture.png"}).exitCode, 2);
 }
 
-TEST_F(SessionCommand, RendersASessionAsTheOptionsThatMadeIt) {
+TEST_F(SessionCommand, Thorough_RendersASessionAsTheOptionsThatMadeIt) {
   makeFiles();
   std::vector<std::string> arguments{"head.nii.gz"};
   arguments.insert(arguments.end(), options.begin(), options.end());

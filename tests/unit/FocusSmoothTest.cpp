@@ -62,7 +62,7 @@ void expectSmooth(glm::ivec3 dims, InsideAt insideAt) {
   });
 }
 
-TEST(FocusSmooth, IsAGaussianOfTheFocus) {
+TEST(FocusSmooth, Thorough_IsAGaussianOfTheFocus) {
   // Large enough that tiles lie wholly inside and wholly outside.
   expectSmooth({61, 58, 57}, [](glm::ivec3 v) {
     return glm::distance(glm::dvec3(v), glm::dvec3(31, 28, 27)) < 23.5 || v == glm::ivec3(3, 50, 50);

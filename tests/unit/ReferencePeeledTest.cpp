@@ -80,7 +80,7 @@ const std::vector<MethodStages::Peel> peels{
     {.amount = 1.0, .side = PeelSide::Left, .turn = 33.0, .depth = 0.0, .radius = 3.0, .margin = 4.0},
     {.amount = 0.8, .side = PeelSide::Inferior, .turn = -120.0, .depth = 1.0, .radius = 9.0, .margin = 1.0}};
 
-TEST(ReferencePeeled, VoxelsAndLabelsAgree) {
+TEST(ReferencePeeled, Thorough_VoxelsAndLabelsAgree) {
   for (const MethodStages::Peel& peel : peels) {
     SCOPED_TRACE(peel.amount);
     expectAgreement(lively<std::int16_t>(gridOf({30, 34, 28}, {1.0, 1.2, 0.9}, {-70.0, 300.0, 12.0}), peel));
@@ -98,7 +98,7 @@ TEST(ReferencePeeled, AFoldedLayerAgrees) {
   expectAgreement(scene);
 }
 
-TEST(ReferencePeeled, HardCasesAgree) {
+TEST(ReferencePeeled, Thorough_HardCasesAgree) {
   const MethodStages::Peel peel = peels.front();
   const Grid grid = gridOf({30, 34, 28});
   Scene withoutFocus = lively<std::int16_t>(grid, peel);
@@ -179,7 +179,7 @@ TEST(ReferencePeeled, ARolledSlabKeepsItsOpticalDepthAlongNormals) {
 }
 
 /// A ball in the layer: its rays after it is rolled up meet it where its definition, point by point, brings it.
-TEST(ReferencePeeled, ARolledBallIsSeenWhereItsPointsGo) {
+TEST(ReferencePeeled, Thorough_ARolledBallIsSeenWhereItsPointsGo) {
   const Grid grid = gridOf({100, 60, 30});
   const glm::dvec3 ball(58.0, 20.0, 15.0);
   constexpr double radius = 7.0, spread = 1.0;

@@ -93,7 +93,7 @@ double worstOf(const Removals& removals, const Grid& grid) {
   return worst;
 }
 
-TEST(Removal, CoveragesAreTheReferences) {
+TEST(Removal, Thorough_CoveragesAreTheReferences) {
   // Half a step of rounding, and the error of a bent plane's gradient by differences of 1e-5 mm.
   constexpr double tolerance = 0.5 + 1e-3;
   std::mt19937 random(5);

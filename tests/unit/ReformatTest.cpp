@@ -116,7 +116,7 @@ TEST(PathCurve, TooFewPointsHaveNoLength) {
   EXPECT_NEAR(PathCurve(std::vector<glm::dvec3>{{1, 2, 3}, {1, 2, 3}, {1, 2, 8}}).length(), 5.0, 1e-9);
 }
 
-TEST(Straighten, AHelicalTubeIsAStraightOne) {
+TEST(Straighten, Thorough_AHelicalTubeIsAStraightOne) {
   const Helix helix;
   const Grid grid = gridAround(helix);
   const glm::dmat4 toWorld = grid.worldFromIndex();
@@ -170,7 +170,7 @@ double volumeOfRegion(const VoxelRegion& region) {
   return static_cast<double>(std::count(region.inside.begin(), region.inside.end(), 1)) * region.grid.voxelVolume();
 }
 
-TEST(CentreLine, OfAHelicalTubeHasItsLengthAndRadius) {
+TEST(CentreLine, Thorough_OfAHelicalTubeHasItsLengthAndRadius) {
   const Helix helix;
   const std::vector<std::uint16_t> values{3};
   const VoxelRegion region = regionOf(*tubeLabels(helix), values);

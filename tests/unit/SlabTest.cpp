@@ -142,7 +142,7 @@ std::shared_ptr<Volume> waves(const Grid& grid, double amplitude, double middle)
   return volume;
 }
 
-TEST(Slab, AgreesWithADenseComputation) {
+TEST(Slab, Thorough_AgreesWithADenseComputation) {
   for (const Grid& grid :
        {gridOf({20, 23, 17}, {0.7, 0.9, 2.5}), obliqueGrid({21, 18, 15}), shearedGrid({19, 22, 13})}) {
     const auto volume = waves<std::int16_t>(grid, 300.0, 100.0);
@@ -160,7 +160,7 @@ TEST(Slab, AgreesWithADenseComputation) {
   }
 }
 
-TEST(Slab, LongLinesStayAsExact) {
+TEST(Slab, Thorough_LongLinesStayAsExact) {
   // 600 voxels, in many pieces.
   const Grid grid = gridOf({6, 5, 600}, {1.0, 1.0, 0.5}, {0.0, 0.0, -900.0});
   const auto volume = waves<std::int16_t>(grid, 30000.0, 0.0);

@@ -69,7 +69,7 @@ TEST(SmoothedIndicator, KeepsVoxelsOnTheirSide) {
   }
 }
 
-TEST(SmoothedIndicator, MovesTheSurfaceByLessThanAVoxel) {
+TEST(SmoothedIndicator, Thorough_MovesTheSurfaceByLessThanAVoxel) {
   const glm::ivec3 dims(28, 31, 26);
   const Grid box = gridOf(dims);
   for (const double waves : {0.15, 0.6, 2.0})
@@ -87,7 +87,7 @@ TEST(SmoothedIndicator, MovesTheSurfaceByLessThanAVoxel) {
     }
 }
 
-TEST(SmoothedIndicator, KeepsStructuresOneVoxelThick) {
+TEST(SmoothedIndicator, Thorough_KeepsStructuresOneVoxelThick) {
   struct Shape {
     const char* name;
     std::function<bool(glm::ivec3)> isInside;
@@ -111,7 +111,7 @@ TEST(SmoothedIndicator, KeepsStructuresOneVoxelThick) {
     }
 }
 
-TEST(SmoothedIndicator, KeepsTheVolume) {
+TEST(SmoothedIndicator, Thorough_KeepsTheVolume) {
   for (const double radius : {2.3, 4.0, 9.5})
     for (const LabelSmoothing strength : strengths) {
       const glm::ivec3 dims(2 * static_cast<int>(radius) + 12);

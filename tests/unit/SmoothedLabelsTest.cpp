@@ -46,11 +46,11 @@ void expectVolumesKept(const LabelMap& map, std::size_t least) {
   EXPECT_GT(compared, 0);
 }
 
-TEST(SmoothedLabels, OfPhantomsKeepTheirVolume) {
+TEST(SmoothedLabels, Exhaustive_OfPhantomsKeepTheirVolume) {
   for (const std::string& name : io::phantomNames()) expectVolumesKept(*io::openPhantom(name, 60).labels, 1);
 }
 
-TEST(SmoothedLabels, OfATorsoKeepTheirVolume) {
+TEST(SmoothedLabels, Exhaustive_OfATorsoKeepTheirVolume) {
   FENESTRA_TEST_DATA_OR_SKIP(image, "labelled/totalsegmentator-torso/example_ct.nii.gz");
   FENESTRA_TEST_DATA_OR_SKIP(labels, "labelled/totalsegmentator-torso/example_seg_fast_force_split.nii.gz");
   const auto volume = io::openVolume(image).volume;
