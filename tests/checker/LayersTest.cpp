@@ -48,7 +48,7 @@ TEST(Layers, Thorough_lesionBehindARib) {
   expectPhantomLayersHold("torso", "lesion", "--camera R --size 500x430", "--w-open 24 --w-border 2");
 }
 
-TEST(Layers, heartFromTheLeftInParallel) {
+TEST(Layers, Thorough_heartFromTheLeftInParallel) {
   expectPhantomLayersHold("torso", "heart muscle", "--camera 40,15 --projection orthographic --size 333x277",
                           "--w-open 40 --w-border 3");
 }

@@ -216,7 +216,7 @@ TEST_F(ClippingTest, Thorough_GreyFacesAreTheReferences) {
       }
 }
 
-TEST_F(ClippingTest, ExemptLabelsStayAsTheReferenceHasThem) {
+TEST_F(ClippingTest, Thorough_ExemptLabelsStayAsTheReferenceHasThem) {
   Scene scene = bodyWithRod();
   int more = 0;
   for (const Schedule schedule : pictureSchedules()) {

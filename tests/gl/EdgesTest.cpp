@@ -128,7 +128,7 @@ TEST_F(EdgesTest, Thorough_PicturesAreWithinTheBoundOfTheReferences) {
   }
 }
 
-TEST_F(EdgesTest, LayersAreThoseWithoutSmoothEdges) {
+TEST_F(EdgesTest, Thorough_LayersAreThoseWithoutSmoothEdges) {
   for (const Case& each : cases()) {
     const Layers off = drawn(each.scene, each.view), on = drawn(smooth(each.scene), each.view);
     SCOPED_TRACE(each.name);

@@ -208,7 +208,7 @@ TEST_F(ImportanceLevels, Thorough_OfNormalQualityAreNoWorseThanOneLevel) {
   }
 }
 
-TEST_F(ImportanceLevels, AreOtherPicturesThanOneLevel) {
+TEST_F(ImportanceLevels, Thorough_AreOtherPicturesThanOneLevel) {
   std::vector<std::vector<glm::vec4>> pictures;
   for (const auto& [name, scene] : cases()) {
     Scene plain = scene;

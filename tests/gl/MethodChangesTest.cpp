@@ -22,7 +22,7 @@ std::set<std::string> Methods::runsOfLast(const std::vector<Scene>& scenes, cons
 
 namespace {
 
-TEST_F(Methods, ReRunOnlyWhatAChangeReaches) {
+TEST_F(Methods, Thorough_ReRunOnlyWhatAChangeReaches) {
   const Scene scene = hazyBody(methods::Cone{});
   const View view = viewOf(from(25, 15, scene));
   const auto after = [&](const Scene& first, auto&& change) {

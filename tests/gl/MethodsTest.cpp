@@ -129,7 +129,7 @@ TEST_F(Methods, Exhaustive_FocalRegionsKeepTheirBoundAtAnySize) {
 }
 
 /// On a sheared grid, on one of a single voxel along an axis, and in a spline; while the focus changes, by value, too.
-TEST_F(Methods, FocalDistancesFollowTheGridAndTheFocus) {
+TEST_F(Methods, Thorough_FocalDistancesFollowTheGridAndTheFocus) {
   const Method method = methods::FocalRegion{.shape = FocalShape::Distance, .size = 2.5, .fallOff = 4.0};
   Grid sheared = gridOf({26, 24, 18}, {0.7, 0.7, 1.6});
   sheared.direction[2] = glm::normalize(glm::dvec3(0.0, -0.33, 1.0));
@@ -164,7 +164,7 @@ TEST_F(Methods, GhostsKeepTheirBoundAtAnyEdge) {
   EXPECT_EQ(drawn(unfocused, view).final, drawn(plain, view).final) << "to the bit";
 }
 
-TEST_F(Methods, ASelectionHasSmoothEdges) {
+TEST_F(Methods, Thorough_ASelectionHasSmoothEdges) {
   Scene scene = hazyBody(methods::Selection{});
   scene.look.edges = Edges::Smooth;
   const View view = viewOf(from(25, 15, scene));

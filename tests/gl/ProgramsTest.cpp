@@ -60,7 +60,7 @@ TEST_F(ProgramsTest, Thorough_EveryShaderIsLinkedInSeveralVariants) {
   EXPECT_GE(variants["FocusLayerExploded.comp"], 8);
 }
 
-TEST_F(ProgramsTest, EachStaysWithinWhatOpenGlGuarantees) {
+TEST_F(ProgramsTest, Thorough_EachStaysWithinWhatOpenGlGuarantees) {
   // OpenGL 4.5 core, tables 23.60 to 23.72: the least that a driver may offer a compute shader.
   for (const auto& [source, linked] : programs()) {
     const gl::ProgramResources& used = linked.resources;

@@ -368,7 +368,7 @@ TEST_F(FreshBrush, SaysWhyEdgesDoNotChange) {
   EXPECT_EQ(obstacleAt(onMarker()), std::nullopt);
 }
 
-TEST_F(FreshBrush, SaysThatTheMethodCutsNothing) {
+TEST_F(FreshBrush, Thorough_SaysThatTheMethodCutsNothing) {
   edit([](Look& look) { look.method.kind = kindOf<methods::ContextPreserving>; });
   EXPECT_EQ(obstacleAt(onMarker()), BrushObstacle::NothingIsCut);
   space();

@@ -482,7 +482,7 @@ TEST_F(MethodWindow, Thorough_ALayerIsPeeledOffWhenTheMethodIsChosenAndBackWhenI
   cameras().setAnimated(false);
 }
 
-TEST_F(MethodWindow, PartsMoveOutWhenTheMethodIsChosenAndBackWhenItIsLeft) {
+TEST_F(MethodWindow, Thorough_PartsMoveOutWhenTheMethodIsChosenAndBackWhenItIsLeft) {
   const auto shown = [&] { return volume(0)->shownScene().look.method; };
   cameras().setAnimated(true);
   choose("kind", kindOf<methods::Explode>);

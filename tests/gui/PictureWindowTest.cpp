@@ -156,7 +156,7 @@ void DensePicture::expectScaled(double scale) {
   }
 }
 
-TEST_F(DensePicture, APictureOf2000By1500IsTheWindowOnADenserScreen) { expectScaled(2.0); }
+TEST_F(DensePicture, Thorough_APictureOf2000By1500IsTheWindowOnADenserScreen) { expectScaled(2.0); }
 
 TEST_F(DensePicture, APictureOf4000By3000IsTheWindowToo) { expectScaled(4.0); }
 
