@@ -53,9 +53,9 @@ VolumeCoding codingOf(const Volume& volume) {
   volume.voxels.visit([&](auto scalars) {
     using T = typename decltype(scalars)::value_type;
     double base = 0.0;
+    const double a = (volume.range.low - volume.intercept) / volume.slope;
+    const double b = (volume.range.high - volume.intercept) / volume.slope;
     if constexpr (std::is_integral_v<T>) {
-      const double a = (volume.range.low - volume.intercept) / volume.slope;
-      const double b = (volume.range.high - volume.intercept) / volume.slope;
       const double low = std::round(std::min(a, b)), span = std::round(std::max(a, b)) - low;
       // Unsigned data that fit as they are need no conversion.
       coding.asStored = std::is_unsigned_v<T> && (sizeof(T) == 1 || (sizeof(T) == 2 && span > 255.0));
@@ -63,6 +63,12 @@ VolumeCoding codingOf(const Volume& volume) {
       coding.integers = span <= 65535.0;
       const bool oneByte = coding.asStored ? sizeof(T) == 1 : span <= 255.0;
       coding.format = oneByte ? gl::Format::R8 : coding.integers ? gl::Format::R16 : gl::Format::R32F;
+    } else {
+      // Values far from zero leave float32 few digits for their differences. What is within a factor of two of all
+      // of them is taken away without rounding (Sterbenz's lemma).
+      const double low = std::min(a, b), high = std::max(a, b);
+      if (low > 0.0 && high <= 2.0 * low) base = static_cast<double>(static_cast<T>(low));
+      if (high < 0.0 && low >= 2.0 * high) base = static_cast<double>(static_cast<T>(high));
     }
     coding.base = base;
     coding.offset = volume.slope * base + volume.intercept;
@@ -104,7 +110,9 @@ VolumeTexture makeVolumeTexture(const ShownVolume& shown) {
       else
         fill(float{}, coded);
     } else {
-      fill(float{}, Sanitizer<T>(volume));
+      fill(float{}, [finite = Sanitizer<T>(volume), base = static_cast<T>(result.base)](T scalar) {
+        return finite(scalar) - base;
+      });
     }
   });
   return result;
@@ -358,7 +366,6 @@ DerivativeVolume makeDerivativeVolume(const ShownVolume& shown) {
   const ValueRange coded = coding.codedFromReal(volume.range);
   const float stretch = static_cast<float>(65535.0 / std::max(coded.high, 1.0));
   result.texelScale = (wide ? 1.0f : 65535.0f / stretch) * coding.slope;
-  const double base = (coding.offset - volume.intercept) / volume.slope;
   const Taps taps{tapsOf(result.factor.y), tapsOf(result.factor.z), result.factor, grid.dims - 1};
   constexpr std::size_t reach = 2;  // of the taps along x: the column is repeated beyond its ends
   const auto width = static_cast<std::size_t>(grid.dims.x), texels = static_cast<std::size_t>(dims.x);
@@ -388,9 +395,9 @@ DerivativeVolume makeDerivativeVolume(const ShownVolume& shown) {
   volume.voxels.visit([&](auto scalars) {
     using T = std::remove_const_t<typename decltype(scalars)::value_type>;
     if constexpr (std::is_integral_v<T> && sizeof(T) <= 2)
-      if (JoinedIntegers<T>::fits(base, coded.high))
-        return smooth([&] { return JoinedIntegers<T>(voxels, taps, base); });
-    smooth([&] { return JoinedNumbers<T>(voxels, taps, base); });
+      if (JoinedIntegers<T>::fits(coding.base, coded.high))
+        return smooth([&] { return JoinedIntegers<T>(voxels, taps, coding.base); });
+    smooth([&] { return JoinedNumbers<T>(voxels, taps, coding.base); });
   });
   return result;
 }

@@ -10,7 +10,8 @@
 namespace fenestra {
 
 /// The shaders compute in coded values: coded = (real - intercept) / slope - base, which are small non-negative
-/// integers wherever the data are integers, and so exact in float32.
+/// integers wherever the data are integers, and so exact in float32. Floating-point data keep their values, less a base
+/// where they lie far from zero.
 struct VolumeCoding {
   gl::Format format = gl::Format::R32F;  ///< or R8, or R16
   float texelScale = 1.0f;               ///< coded value per texel unit: 255, 65535 or 1

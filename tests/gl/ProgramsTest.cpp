@@ -101,7 +101,7 @@ class SourceFiles {
 
 bool hasReferenceCompiler() { return std::system("glslangValidator --version > /dev/null") == 0; }
 
-TEST_F(ProgramsTest, EachPassesTheReferenceCompiler) {
+TEST_F(ProgramsTest, Thorough_EachPassesTheReferenceCompiler) {
   ASSERT_TRUE(hasReferenceCompiler()) << "install glslang-tools";
   const SourceFiles sources(programs());
   std::string files;
@@ -258,7 +258,7 @@ void expectNoFaults(const DrawnKinds& drawn) {
   for (const std::string& fault : drawn.scheduleFaults) ADD_FAILURE() << "schedules: " << fault;
 }
 
-TEST_F(ProgramsTest, TilesAndSchedulesDrawTheSamePictureForEachPropertyOfAScene) {
+TEST_F(ProgramsTest, Thorough_TilesAndSchedulesDrawTheSamePictureForEachPropertyOfAScene) {
   expectNoFaults(drawn());
   EXPECT_GE(drawn().drawn, 20u);
   EXPECT_LT(drawn().drawn, drawn().kinds);

@@ -32,13 +32,13 @@ class Chance {
 
 /// Waves, or values without order, in whole steps.
 template <class T>
-std::shared_ptr<Volume> steppedVolume(Chance& chance, const Grid& grid, double step, int values) {
+std::shared_ptr<Volume> steppedVolume(Chance& chance, const Grid& grid, double step, int values, double least = 0.0) {
   const bool ordered = !chance.oneIn(3);
   const glm::dvec3 pace(0.1 + 0.5 * chance.share(), 0.1 + 0.5 * chance.share(), 0.1 + 0.5 * chance.share());
   return volumeOf<T>(grid, [&](glm::ivec3 i) {
     const double wave = 0.25 * (2.0 + std::sin(pace.x * i.x) + std::cos(pace.y * i.y + pace.z * i.z));
     const double place = ordered ? wave : chance.share();
-    return step * std::min(std::floor(values * place), values - 1.0);
+    return least + step * std::min(std::floor(values * place), values - 1.0);
   });
 }
 
@@ -47,22 +47,24 @@ struct Made {
   Camera camera;
 };
 
-Made madeBy(unsigned seed) {
+/// `least`: the least value; another than 0 has a volume in float32.
+Made madeBy(unsigned seed, double least) {
   Chance chance(seed);
   const auto side = [&] { return 5 + chance.below(16); };
   const glm::ivec3 dims(side(), side(), side());
   const Grid grid = gridOf(dims, {0.7 + chance.below(3), 1.0, 1.0 + chance.below(2)});
   const int values = 2 + chance.below(4);
   const double step = chance.oneIn(2) ? 1.0 : 61.0;
-  const auto valueAt = [step](int i) { return step * i; };
+  const auto valueAt = [=](int i) { return least + step * i; };
 
   Made made;
   Scene& scene = made.scene;
-  scene.volume = chance.oneIn(2) ? steppedVolume<std::uint8_t>(chance, grid, step, values)
-                                 : steppedVolume<std::int16_t>(chance, grid, step, values);
+  scene.volume = least != 0.0      ? steppedVolume<float>(chance, grid, step, values, least)
+                 : chance.oneIn(2) ? steppedVolume<std::uint8_t>(chance, grid, step, values)
+                                   : steppedVolume<std::int16_t>(chance, grid, step, values);
   std::vector<TransferFunction::Node>& nodes = scene.look.context.function.nodes;
   for (int i = 1 + chance.below(4); i >= 0; --i) {
-    const double value = chance.oneIn(3) ? valueAt(values - 1) * chance.share() : valueAt(chance.below(values));
+    const double value = chance.oneIn(3) ? least + step * (values - 1) * chance.share() : valueAt(chance.below(values));
     const double extinction = chance.oneIn(2) ? 0.0 : chance.oneIn(2) ? 0.3 * chance.share() : 2.0 * chance.share();
     nodes.push_back({value, {chance.colour(), extinction}});
     if (chance.oneIn(2)) nodes.push_back({value, {chance.colour(), chance.share()}});
@@ -82,8 +84,8 @@ Made madeBy(unsigned seed) {
 
 /// A pixel in two hundred may be beyond the bound: rays that graze a surface, whose hit rounding decides, or that run
 /// along an edge of a region, near whose value they stay for the length of a voxel.
-void expectBound(unsigned seed) {
-  const Made made = madeBy(seed);
+void expectBound(unsigned seed, double least = 0.0) {
+  const Made made = madeBy(seed, least);
   View view{made.camera, size, 1.0, Quality::High};
   view.maxError = bound;
   Renderer renderer(std::make_shared<GpuScene>());
@@ -101,6 +103,10 @@ void expectBound(unsigned seed) {
 
 TEST_F(RandomScenes, KeepTheirBound) {
   for (unsigned seed = 1; seed <= 12; ++seed) expectBound(seed);
+}
+
+TEST_F(RandomScenes, FarFromZeroKeepTheirBound) {
+  for (const double least : {30000.0, -30000.0, 1e6}) expectBound(305, least);
 }
 
 TEST_F(RandomScenes, Exhaustive_AreManyAndKeepTheirBound) {
