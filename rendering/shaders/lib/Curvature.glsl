@@ -55,7 +55,7 @@ LevelSet levelSetAt(vec3 position) {
   result.k1 = result.k2 = 0.0;
   result.noise = size > 1e-6 ? 0.0 : 1.0;
   if (result.noise > 0.0) return result;
-  vec3 n = -result.gradient / size;
+  vec3 n = result.gradient / size;
   // Shape operator -P H P / |g| on the tangent plane, P = I - n nᵀ; its trace and norm give both curvatures.
   mat3 p = mat3(1.0) - outerProduct(n, n);
   mat3 shape = -(p * hessian * p) / size;
