@@ -87,10 +87,6 @@ double sizeOf(const FirstRegion& region) {
   return region.curve.volume[static_cast<std::size_t>(region.curve.automatic)];
 }
 
-bool holds(const TubeRegion& tube, glm::ivec3 voxel) {
-  return tube.box.contains(voxel) && tube.joins[tube.box.offset(voxel)] <= tubeLevel;
-}
-
 }  // namespace
 
 void keepTo(const std::optional<RegionBall>& ball, const Grid& grid, const VoxelBox& box, std::vector<Level>& joins) {
