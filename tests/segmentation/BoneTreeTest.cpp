@@ -79,7 +79,7 @@ TEST(BoneTree, HoldsNoSeedFarFromBone) {
 
 TEST(BoneVoxels, WhetherOneIsNearIsKnownWithoutAllOfThem) {
   const std::shared_ptr<Volume> volume = ctOf(jointGrid, jointValue);
-  const VoxelSet all = boneVoxels(*volume);
+  const VoxelSet all = boneVoxels(*volume, noiseOf(*volume));
   const VoxelBox whole = wholeOf(jointGrid.dims);
   const std::vector<glm::ivec3> ball = ballOffsets(jointGrid, 4.0);
   int near = 0;
