@@ -43,10 +43,10 @@ struct GrowthCurve {
   std::vector<Plateau> plateaus;    ///< ascending
   int automatic = 0;                ///< the step to begin with
   double mostRise = EdgeScale{}.mostRise;  ///< the greatest contrast that there can be
-  /// Of the region at `automatic`, where it has won over others at a click: its clarity less that of the clearest one
-  /// that is less than half or more than twice as large.
+  /// The clarity of the region at `automatic`, where it has won over others at a click, less that of the clearest one
+  /// that is at most half or at least twice as large.
   double lead = std::numeric_limits<double>::infinity();
-  double sprawl = 1.0;  ///< of it: RegionShape::thickening over its compactness
+  double sprawl = 1.0;  ///< of that region: RegionShape::thickening over its compactness
 };
 
 /// `joins` and `costs` hold a box of `dims`: the level at which a voxel joins (or `never`), and its own cost.
@@ -83,8 +83,8 @@ std::optional<ClearestStep> clearestStep(const GrowthCurve& curve, const Structu
 
 /// The clarity of the region at a step, as clearestStep() sees it; -inf where it is none.
 double clarityAt(const GrowthCurve& curve, int step, const StructurePrior& prior, const Grid& grid);
-/// The greatest clarity of the regions that are less than half or more than twice as large as `volume` mm³; -inf
-/// without one.
+/// The greatest clarity of the regions that are at most half or at least twice as large as `volume` mm³; -inf without
+/// one.
 double clarityBeside(const GrowthCurve& curve, double volume, const StructurePrior& prior, const Grid& grid);
 
 /// Begins with `step`, which becomes a plateau where it is none.
