@@ -21,7 +21,7 @@ constexpr double usualNoise = 22.0, gapOfNoise = 2.5;
 template <class Stored>
 class GapFinder {
  public:
-  GapFinder(std::span<const Stored> scalars, const Volume& volume, const VoxelSet& voxels,
+  GapFinder(std::span<const Stored> scalars, const Volume& volume, double noise, const VoxelSet& voxels,
             std::span<const std::uint32_t> parts, BoneMeetings& meetings)
       : scalars_(scalars),
         volume_(volume),
@@ -29,7 +29,7 @@ class GapFinder {
         parts_(parts),
         meetings_(meetings),
         dims_(volume.grid.dims),
-        bias_(gapOfNoise * std::max(0.0, noiseOf(volume).deviation - usualNoise)) {
+        bias_(gapOfNoise * std::max(0.0, noise - usualNoise)) {
     const VoxelBox whole = wholeOf(dims_);
     for (int axis = 0; axis < 3; ++axis) {
       glm::ivec3 next(0);
@@ -44,13 +44,16 @@ class GapFinder {
     }
   }
 
-  void run() {
+  bool run(const std::function<bool()>& goOn) {
+    constexpr std::uint32_t often = 1 << 16;  // voxels: some milliseconds
     const VoxelBox whole = wholeOf(dims_);
     for (std::uint32_t number = 0; number < voxels_.size(); ++number) {
+      if (number % often == 0 && goOn && !goOn()) return false;
       const std::size_t offset = voxels_.offsets()[number];
       const glm::ivec3 at = whole.at(offset);
       for (int axis = 0; axis < 3; ++axis) across(axis, at[axis], offset, parts_[number]);
     }
+    return true;
   }
 
  private:
@@ -113,11 +116,11 @@ void BoneMeeting::add(const BoneMeeting& other) {
   side += other.side;
 }
 
-void addGaps(const Volume& volume, const VoxelSet& voxels, std::span<const std::uint32_t> parts,
-             BoneMeetings& meetings) {
-  volume.voxels.visit([&](auto scalars) {
+bool addGaps(const Volume& volume, double noise, const VoxelSet& voxels, std::span<const std::uint32_t> parts,
+             BoneMeetings& meetings, const std::function<bool()>& goOn) {
+  return volume.voxels.visit([&](auto scalars) {
     using Stored = typename decltype(scalars)::value_type;
-    GapFinder<Stored>(scalars, volume, voxels, parts, meetings).run();
+    return GapFinder<Stored>(scalars, volume, noise, voxels, parts, meetings).run(goOn);
   });
 }
 

@@ -2,6 +2,7 @@
 // How parts of bones meet: where a joint is, a gap darker than the bone on both sides parts them.
 
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <unordered_map>
 #include <vector>
@@ -27,8 +28,9 @@ struct BoneMeeting {
 using BoneMeetings = std::vector<std::unordered_map<std::uint32_t, BoneMeeting>>;
 
 /// Adds `dip` and `side` of the borders between the parts, which touch, or face each other along an axis across less
-/// than bone; in loud noise less what that makes of one. `parts` is by voxel of the set, `volume` in Hounsfield units.
-void addGaps(const Volume& volume, const VoxelSet& voxels, std::span<const std::uint32_t> parts,
-             BoneMeetings& meetings);
+/// than bone; in loud noise, of a standard deviation of `noise` HU, less what that makes of one. `parts` is by voxel of
+/// the set, `volume` in Hounsfield units. `goOn` is asked now and then; false, and not done, when it returned false.
+bool addGaps(const Volume& volume, double noise, const VoxelSet& voxels, std::span<const std::uint32_t> parts,
+             BoneMeetings& meetings, const std::function<bool()>& goOn = {});
 
 }  // namespace fenestra::segmentation

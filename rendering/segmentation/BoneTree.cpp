@@ -150,13 +150,16 @@ std::shared_ptr<const BoneTree> BoneTree::build(const Volume& volume, const std:
     if (!guess) return nullptr;
     tree->scaled_ = inHounsfieldUnits(volume, *guess, wholeOf(volume.grid.dims));
   }
-  tree->voxels_ = boneVoxels(tree->inUnits(volume));
+  tree->noise_ = noiseOf(tree->inUnits(volume));
+  tree->voxels_ = boneVoxels(tree->inUnits(volume), tree->noise_);
   if (goOn && !goOn()) return nullptr;
   const std::vector<float> depths = depthsOf(tree->voxels_, volume.grid);
   if (goOn && !goOn()) return nullptr;
   Watershed watershed = watershedOf(tree->voxels_, depths, wholeOf(volume.grid.dims));
   if (goOn && !goOn()) return nullptr;
-  addGaps(tree->inUnits(volume), tree->voxels_, watershed.leaves, watershed.meetings);
+  if (!addGaps(tree->inUnits(volume), tree->noise_.deviation, tree->voxels_, watershed.leaves, watershed.meetings,
+               goOn))
+    return nullptr;
   if (goOn && !goOn()) return nullptr;
   NeckMerger merger(watershed, voxelSide(volume.grid));
   tree->leaves_ = std::move(watershed.leaves);
@@ -228,7 +231,7 @@ bool BoneTree::isBone(const Volume& shown, std::span<const Level> joins, int ste
   };
   const double median = quantile(0.5);
   for (double& value : values) value = std::abs(value - median);
-  return quantile(spreadQuantile) >= std::max(leastSpread, leastNoiseSpread * noiseOf(volume).deviation);
+  return quantile(spreadQuantile) >= std::max(leastSpread, leastNoiseSpread * noise_.deviation);
 }
 
 std::size_t BoneTree::heldBytes() const {

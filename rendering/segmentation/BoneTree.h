@@ -24,6 +24,7 @@
 #include "rendering/segmentation/HounsfieldGuess.h"
 #include "rendering/segmentation/Levels.h"
 #include "rendering/segmentation/MergeTree.h"
+#include "rendering/segmentation/Smoothing.h"
 #include "rendering/segmentation/VoxelBox.h"
 #include "rendering/segmentation/VoxelSet.h"
 #include "rendering/volume/Volume.h"
@@ -66,6 +67,7 @@ class BoneTree {
 
   Grid grid_;
   std::shared_ptr<const Volume> scaled_;  ///< null where the volume is in Hounsfield units
+  Noise noise_;                           ///< HU
   VoxelSet voxels_;
   std::vector<std::uint32_t> leaves_;  ///< by voxel of the set
   MergeTree merges_;

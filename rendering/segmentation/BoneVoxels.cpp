@@ -53,11 +53,11 @@ class DenseFinder {
   float least_;
 };
 
-ToneScale denseScale(const Volume& volume) { return {volume, noiseOf(volume), softTissue}; }
+ToneScale denseScale(const Volume& volume, const Noise& noise) { return {volume, noise, softTissue}; }
 
 /// 1 where the smoothed value is dense.
-std::vector<std::uint8_t> denseVoxels(const Volume& volume) {
-  const ToneScale scale = denseScale(volume);
+std::vector<std::uint8_t> denseVoxels(const Volume& volume, const Noise& noise) {
+  const ToneScale scale = denseScale(volume, noise);
   const VoxelBox whole = wholeOf(volume.grid.dims);
   std::vector<std::uint8_t> dense(whole.count(), 0);
   constexpr glm::ivec3 tile(128, 32, 32);  // intermediate arrays that fit a core's cache
@@ -77,7 +77,7 @@ std::vector<std::uint8_t> denseVoxels(const Volume& volume) {
 class DenseNearby {
  public:
   explicit DenseNearby(const Volume& volume)
-      : whole_(wholeOf(volume.grid.dims)), scale_(denseScale(volume)), find_(volume, scale_) {}
+      : whole_(wholeOf(volume.grid.dims)), scale_(denseScale(volume, noiseOf(volume))), find_(volume, scale_) {}
 
   bool holds(std::size_t offset) {
     constexpr int side = 16;
@@ -233,9 +233,9 @@ class DepthSpreader {
 
 }  // namespace
 
-VoxelSet boneVoxels(const Volume& volume) {
+VoxelSet boneVoxels(const Volume& volume, const Noise& noise) {
   assert(volume.isInHounsfieldUnits());
-  std::vector<std::uint8_t> mask = denseVoxels(volume);
+  std::vector<std::uint8_t> mask = denseVoxels(volume, noise);
   fillCanals(mask, volume.grid);
   return VoxelSet(mask);
 }

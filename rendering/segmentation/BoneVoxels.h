@@ -14,8 +14,8 @@ inline constexpr double boneFrom = 125.0;  ///< HU: spongy bone begins here, sof
 
 /// Voxels of at least boneFrom after smoothing, and what they enclose in an axial, sagittal or coronal plane if it is
 /// no larger than a marrow canal: bone is brightest in its shell. Contrast agent, calcifications and metal are dense,
-/// too. `volume` is in Hounsfield units. Runs on all cores.
-VoxelSet boneVoxels(const Volume& volume);
+/// too. `volume` is in Hounsfield units, `noise` its own. Runs on all cores.
+VoxelSet boneVoxels(const Volume& volume, const Noise& noise);
 
 /// Whether boneVoxels() has a voxel in the ball around one, whose offsets are given: takes a few milliseconds, where
 /// boneVoxels() takes nearly a second of a large volume. `volume` is in Hounsfield units.

@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "rendering/segmentation/BoneRim.h"
 #include "rendering/segmentation/BoneTree.h"
 #include "rendering/segmentation/BoneVoxels.h"
 #include "rendering/segmentation/RandomWalk.h"
+#include "rendering/segmentation/RegionShape.h"
 #include "rendering/segmentation/TissueCells.h"
 #include "rendering/segmentation/TissueTree.h"
 #include "rendering/segmentation/TubeTracer.h"
@@ -85,10 +87,6 @@ double sizeOf(const FirstRegion& region) {
   return region.curve.volume[static_cast<std::size_t>(region.curve.automatic)];
 }
 
-bool holds(const TubeRegion& tube, glm::ivec3 voxel) {
-  return tube.box.contains(voxel) && tube.joins[tube.box.offset(voxel)] <= tubeLevel;
-}
-
 }  // namespace
 
 void keepTo(const std::optional<RegionBall>& ball, const Grid& grid, const VoxelBox& box, std::vector<Level>& joins) {
@@ -133,10 +131,12 @@ bool Competition::decide(FirstRegion& region, std::span<const glm::ivec3> outsid
   if (!outside.empty()) prior.limit = std::min(prior.limit, sizeOf(region));
   auto clearest =
       clearestStep(region.curve, prior, volume_.grid, lastWithout(outside, region.joins, wholeOf(volume_.grid.dims)));
+  std::vector<GrowthCurve> seen{region.curve};  // of the regions that no shape bounds
   const auto compete = [&](std::vector<Level> joins, std::span<const Level> costs, const StructurePrior& own, int last,
                            auto wins) {
     keepTo(ball_, volume_.grid, wholeOf(volume_.grid.dims), joins);
     GrowthCurve curve = curveOf(joins, costs, region.noise);
+    seen.push_back(curve);
     const auto other =
         clearestStep(curve, own, volume_.grid, std::min(last, lastWithout(outside, joins, wholeOf(volume_.grid.dims))));
     if (!other || !wins(joins, *other)) return false;
@@ -180,7 +180,22 @@ bool Competition::decide(FirstRegion& region, std::span<const glm::ivec3> outsid
     region.curve = curveOf(region.joins, region);
   }
   if (clearest) beginWith(region.curve, clearest->step);
+  if (clearest && !region.isBone && !region.isTube && !region.isWalk)
+    compareWith(std::span(seen).first(2), prior, region);
   return clearest.has_value();
+}
+
+void Competition::compareWith(std::span<const GrowthCurve> others, const StructurePrior& prior,
+                              FirstRegion& region) const {
+  // Measured in CT alone. Lungs have lobes as thick as one another, and nothing else is like them.
+  if (!volume_.isInHounsfieldUnits() || volume_.value(region.seed) < gasBelow) return;
+  GrowthCurve& curve = region.curve;
+  const double volume = sizeOf(region);
+  double beside = -std::numeric_limits<double>::infinity();
+  for (const GrowthCurve& other : others) beside = std::max(beside, clarityBeside(other, volume, prior, volume_.grid));
+  curve.lead = clarityAt(curve, curve.automatic, prior, volume_.grid) - beside;
+  const RegionShape shape = shapeOf(volume_.grid, region.joins, curve.automatic, volume, region.seed);
+  curve.sprawl = shape.thickening / shape.compactness;
 }
 
 std::optional<FirstRegion> Competition::without(std::span<const glm::ivec3> outside, const FirstRegion& first) const {

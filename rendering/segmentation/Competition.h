@@ -65,6 +65,8 @@ class Competition {
   /// The tube at a seed where it is clearer than `other`, by the costs of `first`.
   std::optional<TubeRegion> clearerTube(glm::ivec3 seed, const FirstRegion& first, const StructurePrior& prior,
                                         const std::optional<ClearestStep>& other) const;
+  /// Sets what tells of a leak: GrowthCurve::lead beside the regions of `others`, and GrowthCurve::sprawl.
+  void compareWith(std::span<const GrowthCurve> others, const StructurePrior& prior, FirstRegion& region) const;
   /// The noise in the units that bones are found in.
   Noise boneNoise(const Noise& noise) const;
   /// What a walk from a region's seed hardly leaves, where it is clearer than `other`, the region's clearest step.

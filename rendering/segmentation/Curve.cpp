@@ -200,6 +200,27 @@ void findPlateaus(GrowthCurve& curve, double voxelVolume, double noiseShare, dou
                                                 : 0;
 }
 
+constexpr double noClarity = -std::numeric_limits<double>::infinity();
+
+/// By step: how clearly its region is one structure; noClarity where it is none.
+std::vector<double> structureClarity(const GrowthCurve& curve, const StructurePrior& prior, const Grid& grid) {
+  std::vector<double> clarities(curve.volume.size(), noClarity);
+  const double least = leastVoxels * grid.voxelVolume();
+  std::size_t changes = curve.volume.size();  // the next step with another region
+  for (std::size_t step = curve.volume.size(); step-- > 1;) {
+    const double volume = curve.volume[step];
+    if (step + 1 < curve.volume.size() && curve.volume[step + 1] != volume) changes = step + 1;
+    if (volume < least || volume > prior.limit || curve.contrast[step] <= prior.contrast) continue;
+    const double octaves = std::min(longestStay, static_cast<double>(changes - step) / levelsPerOctave);
+    clarities[step] = sharpnessWeight * std::log(curve.contrast[step]) +
+                      compactnessWeight * std::log(std::min(1.0, curve.compactness[step])) + stayWeight * octaves +
+                      std::max(-mostForSize, sizeWeight * std::min(0.0, std::log(volume / prior.usual))) -
+                      excessWeight * std::max(0.0, std::log(volume / prior.expected)) - costOfMuch(volume, prior) -
+                      (volume > prior.most ? oversizeCost : 0.0);
+  }
+  return clarities;
+}
+
 }  // namespace
 
 EdgeScale competingEdges(const Volume& volume, const Noise& noise) {
@@ -251,21 +272,11 @@ std::optional<ClearestStep> clearestStep(const GrowthCurve& curve, const Structu
                                          int last) {
   std::optional<ClearestStep> clearest;
   double chosen = 0.0;  // the clarity at clearest->step
-  const double least = leastVoxels * grid.voxelVolume();
-  std::size_t changes = curve.volume.size();  // the next step with another region
+  const std::vector<double> clarities = structureClarity(curve, prior, grid);
   for (std::size_t step = curve.volume.size(); step-- > 1;) {
-    const double volume = curve.volume[step];
-    if (step + 1 < curve.volume.size() && curve.volume[step + 1] != volume) changes = step + 1;
-    if (static_cast<int>(step) > last || volume < least || volume > prior.limit ||
-        curve.contrast[step] <= prior.contrast)
-      continue;
-    const double octaves = std::min(longestStay, static_cast<double>(changes - step) / levelsPerOctave);
-    const double clarity = sharpnessWeight * std::log(curve.contrast[step]) +
-                           compactnessWeight * std::log(std::min(1.0, curve.compactness[step])) + stayWeight * octaves +
-                           std::max(-mostForSize, sizeWeight * std::min(0.0, std::log(volume / prior.usual))) -
-                           excessWeight * std::max(0.0, std::log(volume / prior.expected)) - costOfMuch(volume, prior) -
-                           (volume > prior.most ? oversizeCost : 0.0);
-    const bool isSmaller = clearest && volume < curve.volume[static_cast<std::size_t>(clearest->step)];
+    const double clarity = clarities[step];
+    if (static_cast<int>(step) > last || clarity == noClarity) continue;
+    const bool isSmaller = clearest && curve.volume[step] < curve.volume[static_cast<std::size_t>(clearest->step)];
     if (!clearest || clarity >= chosen + (isSmaller ? prior.smallerHandicap : 0.0)) {
       clearest = {static_cast<int>(step), clearest ? clearest->clarity : clarity};
       chosen = clarity;
@@ -273,6 +284,19 @@ std::optional<ClearestStep> clearestStep(const GrowthCurve& curve, const Structu
     clearest->clarity = std::max(clarity, clearest->clarity);
   }
   return clearest;
+}
+
+double clarityAt(const GrowthCurve& curve, int step, const StructurePrior& prior, const Grid& grid) {
+  return structureClarity(curve, prior, grid)[static_cast<std::size_t>(step)];
+}
+
+double clarityBeside(const GrowthCurve& curve, double volume, const StructurePrior& prior, const Grid& grid) {
+  const std::vector<double> clarities = structureClarity(curve, prior, grid);
+  double greatest = noClarity;
+  for (std::size_t step = 1; step < clarities.size(); ++step)
+    if (2.0 * curve.volume[step] <= volume || curve.volume[step] >= 2.0 * volume)
+      greatest = std::max(greatest, clarities[step]);
+  return greatest;
 }
 
 void beginWith(GrowthCurve& curve, int step) {

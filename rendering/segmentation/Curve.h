@@ -43,6 +43,10 @@ struct GrowthCurve {
   std::vector<Plateau> plateaus;    ///< ascending
   int automatic = 0;                ///< the step to begin with
   double mostRise = EdgeScale{}.mostRise;  ///< the greatest contrast that there can be
+  /// The clarity of the region at `automatic`, where it has won over others at a click, less that of the clearest one
+  /// that is at most half or at least twice as large.
+  double lead = std::numeric_limits<double>::infinity();
+  double sprawl = 1.0;  ///< of that region: RegionShape::thickening over its compactness
 };
 
 /// `joins` and `costs` hold a box of `dims`: the level at which a voxel joins (or `never`), and its own cost.
@@ -76,6 +80,12 @@ struct ClearestStep {
 /// can rise far until it changes, and its size is a structure's. Empty where no region is one.
 std::optional<ClearestStep> clearestStep(const GrowthCurve& curve, const StructurePrior& prior, const Grid& grid,
                                          int last = stepCount);
+
+/// The clarity of the region at a step, as clearestStep() sees it; -inf where it is none.
+double clarityAt(const GrowthCurve& curve, int step, const StructurePrior& prior, const Grid& grid);
+/// The greatest clarity of the regions that are at most half or at least twice as large as `volume` mm³; -inf without
+/// one.
+double clarityBeside(const GrowthCurve& curve, double volume, const StructurePrior& prior, const Grid& grid);
 
 /// Begins with `step`, which becomes a plateau where it is none.
 void beginWith(GrowthCurve& curve, int step);

@@ -32,6 +32,10 @@ constexpr double leastOffset = 0.35;
 /// more of the body than most structures has had more borders to cross, and must hold for half an octave of tolerance.
 constexpr int leastSteps = 4, leastStepsOfMuch = static_cast<int>(levelsPerOctave / 2.0);
 constexpr double muchOfBody = 0.01;
+// Chosen on the marked structures, too. Those of rivals were seen on others of the same body: growing.md.
+constexpr double leastLead = 0.35;   ///< of GrowthCurve: with less, another region is nearly as clear …
+constexpr double rivalShare = 0.02;  ///< … which tells of a leak where a region is more of the body than most organs
+constexpr double mostSprawl = 4.4;   ///< of GrowthCurve
 
 double volumeAt(const Growth& growth, int step) { return growth.curve.volume[static_cast<std::size_t>(step)]; }
 
@@ -146,7 +150,12 @@ RegionFacts GrowthFacts::at(const Growth& growth, int step) const {
   facts.contrast = contrast * growth.noise;
   const bool isMuch = shareOfBody(growth, step).value_or(0.0) > muchOfBody;
   facts.isPassing = stepsAlike(growth, step) < (isMuch ? leastStepsOfMuch : leastSteps);
-  facts.border = facts.isPassing ? Border::Doubtful : borderAt(growth, step, contrast);
+  if (step == growth.curve.automatic) {
+    facts.isRivalled = shareOfBody(growth, step).value_or(0.0) > rivalShare && growth.curve.lead < leastLead;
+    facts.sprawls = growth.curve.sprawl > mostSprawl;
+  }
+  facts.border =
+      facts.isPassing || facts.isRivalled || facts.sprawls ? Border::Doubtful : borderAt(growth, step, contrast);
   facts.leak = leakAfter(growth, step);
   return facts;
 }

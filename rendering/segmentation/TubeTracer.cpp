@@ -54,7 +54,10 @@ TubeSection planeAt(glm::dvec3 centre, glm::dvec3 normal) {
 class Tracer {
  public:
   Tracer(const Volume& volume, const Noise& noise, glm::ivec3 seed)
-      : finder_(volume, noise, seed), seed_(volume.grid.worldFromIndex() * glm::dvec4(glm::dvec3(seed), 1.0)) {}
+      : volume_(volume),
+        finder_(volume, noise, seed),
+        voxel_(seed),
+        seed_(volume.grid.worldFromIndex() * glm::dvec4(glm::dvec3(seed), 1.0)) {}
 
   std::optional<Tube> run() {
     const std::vector<TubeSection> begun = starts();
@@ -74,7 +77,9 @@ class Tracer {
       best = &tube;
     }
     if (!best) return std::nullopt;
-    return steadied(*best);
+    // On its way back the tube may end before the seed, where the seed's own plane had led on.
+    Tube steady = steadied(*best);
+    return segmentation::holds(tubeRegion(volume_, steady), voxel_) ? steady : *best;
   }
 
  private:
@@ -191,7 +196,9 @@ class Tracer {
     return glm::normalize((1.0 - share) * along + share * chord / length);
   }
 
+  const Volume& volume_;
   SectionFinder finder_;
+  glm::ivec3 voxel_;
   glm::dvec3 seed_;
 };
 
@@ -209,6 +216,10 @@ double depthOf(const TubeSection& section, glm::dvec2 point) {
 
 std::optional<Tube> traceTube(const Volume& volume, const Noise& noise, glm::ivec3 seed) {
   return Tracer(volume, noise, seed).run();
+}
+
+bool holds(const TubeRegion& tube, glm::ivec3 voxel) {
+  return tube.box.contains(voxel) && tube.joins[tube.box.offset(voxel)] <= tubeLevel;
 }
 
 TubeRegion tubeRegion(const Volume& volume, const Tube& tube) {

@@ -43,5 +43,6 @@ struct TubeRegion {
 };
 inline constexpr Level tubeLevel = 64;
 TubeRegion tubeRegion(const Volume& volume, const Tube& tube);
+bool holds(const TubeRegion& tube, glm::ivec3 voxel);
 
 }  // namespace fenestra::segmentation

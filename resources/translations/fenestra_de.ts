@@ -1278,6 +1278,14 @@
         <translation>Sie ist zweifelhaft: fast jede andere Toleranz macht sie viel größer oder kleiner. Prüfen Sie ihren Umriss auf den Schichten.</translation>
     </message>
     <message>
+        <source>It is doubtful: another region here, far larger or smaller, is nearly as clear. Check its outline on the slices.</source>
+        <translation>Sie ist zweifelhaft: eine andere Region an dieser Stelle, viel größer oder kleiner, ist fast so klar. Prüfen Sie ihren Umriss auf den Schichten.</translation>
+    </message>
+    <message>
+        <source>It is doubtful: it spreads from a thin part at the click into a thicker one. Check its outline on the slices.</source>
+        <translation>Sie ist zweifelhaft: sie breitet sich von einem dünnen Teil beim Klick in einen dickeren aus. Prüfen Sie ihren Umriss auf den Schichten.</translation>
+    </message>
+    <message>
         <source>It is doubtful: values change by only %1 along its border. Check its outline on the slices.</source>
         <translation>Sie ist zweifelhaft: an ihrer Grenze ändern sich die Werte nur um %1. Prüfen Sie ihren Umriss auf den Schichten.</translation>
     </message>

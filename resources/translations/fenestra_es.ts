@@ -1278,6 +1278,14 @@
         <translation>Es dudosa: casi cualquier otra tolerancia la hace mucho mayor o menor. Compruebe su contorno en los cortes.</translation>
     </message>
     <message>
+        <source>It is doubtful: another region here, far larger or smaller, is nearly as clear. Check its outline on the slices.</source>
+        <translation>Es dudosa: otra región en este lugar, mucho mayor o menor, es casi igual de clara. Compruebe su contorno en los cortes.</translation>
+    </message>
+    <message>
+        <source>It is doubtful: it spreads from a thin part at the click into a thicker one. Check its outline on the slices.</source>
+        <translation>Es dudosa: se extiende desde una parte delgada donde se hizo clic a otra más gruesa. Compruebe su contorno en los cortes.</translation>
+    </message>
+    <message>
         <source>It is doubtful: values change by only %1 along its border. Check its outline on the slices.</source>
         <translation>Es dudosa: en su límite los valores cambian solo en %1. Compruebe su contorno en los cortes.</translation>
     </message>

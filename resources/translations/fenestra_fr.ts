@@ -1278,6 +1278,14 @@
         <translation>Elle est douteuse&#xa0;: presque toute autre tolérance la rend bien plus grande ou plus petite. Vérifiez son contour sur les coupes.</translation>
     </message>
     <message>
+        <source>It is doubtful: another region here, far larger or smaller, is nearly as clear. Check its outline on the slices.</source>
+        <translation>Elle est douteuse&#xa0;: une autre région à cet endroit, bien plus grande ou plus petite, est presque aussi nette. Vérifiez son contour sur les coupes.</translation>
+    </message>
+    <message>
+        <source>It is doubtful: it spreads from a thin part at the click into a thicker one. Check its outline on the slices.</source>
+        <translation>Elle est douteuse&#xa0;: elle s&apos;étend d&apos;une partie mince, à l&apos;endroit du clic, à une plus épaisse. Vérifiez son contour sur les coupes.</translation>
+    </message>
+    <message>
         <source>It is doubtful: values change by only %1 along its border. Check its outline on the slices.</source>
         <translation>Elle est douteuse&#xa0;: à sa limite, les valeurs ne changent que de %1. Vérifiez son contour sur les coupes.</translation>
     </message>

@@ -1278,6 +1278,14 @@
         <translation>结果存疑：几乎任何其他容差都会使它大得多或小得多。请在层面上检查其轮廓。</translation>
     </message>
     <message>
+        <source>It is doubtful: another region here, far larger or smaller, is nearly as clear. Check its outline on the slices.</source>
+        <translation>结果存疑：此处另一个大得多或小得多的区域几乎同样清晰。请在层面上检查其轮廓。</translation>
+    </message>
+    <message>
+        <source>It is doubtful: it spreads from a thin part at the click into a thicker one. Check its outline on the slices.</source>
+        <translation>结果存疑：它从点击处的薄部分扩展到了更厚的部分。请在层面上检查其轮廓。</translation>
+    </message>
+    <message>
         <source>It is doubtful: values change by only %1 along its border. Check its outline on the slices.</source>
         <translation>结果存疑：边界处数值仅变化 %1。请在层面上检查其轮廓。</translation>
     </message>

@@ -50,7 +50,7 @@ std::vector<Structure> structures() {
           {"duodenum", Kind::Other, torso, organs, {19}},
           {"portal vein", Kind::Other, torso, organs, {64}},
           {"left iliac artery", Kind::Other, torso, organs, {65}},
-          {"left gluteus medius", Kind::Other, torso, organs, {82}},
+          {"left gluteus medius", Kind::Other, torso, organs, {82}, true},
           {"right back muscles", Kind::Other, torso, organs, {87}},
           {"left iliopsoas", Kind::Other, torso, organs, {88}},
           {"vertebra L2", Kind::Spine, torso, organs, {30}},

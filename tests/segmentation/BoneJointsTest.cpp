@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <functional>
 #include <random>
 #include <vector>
 
@@ -60,7 +61,7 @@ TEST(BoneJoints, AGapPartsBonesThatTouchMoreWidelyThanTheyAreThick) {
 }
 
 /// Two blocks of `cortex` in a row of voxels of 1 mm, with `gap` voxels between them.
-BoneMeetings meetingsAcross(int gap, double deviation = 0.0) {
+BoneMeetings meetingsAcross(int gap, double deviation = 0.0, const std::function<bool()>& goOn = {}) {
   const Grid grid = gridOf({20, 5, 5}, {1.0, 1.0, 1.0});
   const auto partAt = [gap](glm::ivec3 at) { return at.x < 6 ? 1 : at.x >= 6 + gap && at.x < 12 + gap ? 2 : 0; };
   std::mt19937 random(3);
@@ -75,7 +76,7 @@ BoneMeetings meetingsAcross(int gap, double deviation = 0.0) {
   for (const std::uint32_t offset : voxels.offsets())
     parts.push_back(static_cast<std::uint32_t>(partAt(wholeOf(grid.dims).at(offset)) - 1));
   BoneMeetings meetings(2);
-  addGaps(*volume, voxels, parts, meetings);
+  EXPECT_EQ(addGaps(*volume, noiseOf(*volume).deviation, voxels, parts, meetings, goOn), !goOn);
   return meetings;
 }
 
@@ -92,6 +93,10 @@ TEST(BoneJoints, ABorderInEvenBoneIsNoGap) {
   const BoneMeetings meetings = meetingsAcross(0);
   ASSERT_TRUE(meetings[0].contains(1));
   EXPECT_EQ(meetings[0].at(1).gap(), 0.0);
+}
+
+TEST(BoneJoints, AreNotFoundWhenThatIsNoLongerWanted) {
+  EXPECT_TRUE(meetingsAcross(0, 0.0, [] { return false; })[0].empty());
 }
 
 TEST(BoneJoints, LoudNoiseIsNoGap) {

@@ -79,7 +79,7 @@ TEST(BoneTree, HoldsNoSeedFarFromBone) {
 
 TEST(BoneVoxels, WhetherOneIsNearIsKnownWithoutAllOfThem) {
   const std::shared_ptr<Volume> volume = ctOf(jointGrid, jointValue);
-  const VoxelSet all = boneVoxels(*volume);
+  const VoxelSet all = boneVoxels(*volume, noiseOf(*volume));
   const VoxelBox whole = wholeOf(jointGrid.dims);
   const std::vector<glm::ivec3> ball = ballOffsets(jointGrid, 4.0);
   int near = 0;
@@ -153,7 +153,7 @@ TEST(BoneVoxels, FillsMarrowButNoWideHole) {
   const glm::dvec2 canal(8.0, 8.0), basin(38.0, 38.0);
   const std::shared_ptr<Volume> volume =
       ctOf(grid, [&](glm::ivec3 at) { return inRing(at, canal, 4.0) || inRing(at, basin, 20.0) ? cortex : muscle; });
-  const VoxelSet voxels = boneVoxels(*volume);
+  const VoxelSet voxels = boneVoxels(*volume, noiseOf(*volume));
   EXPECT_TRUE(voxels.holds(grid.offset({8, 8, 6})));
   EXPECT_FALSE(voxels.holds(grid.offset({38, 38, 6})));
   EXPECT_FALSE(voxels.holds(grid.offset({60, 4, 6})));

@@ -1,6 +1,7 @@
 #include "rendering/segmentation/Curve.h"
 
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include <gtest/gtest.h>
@@ -121,6 +122,18 @@ TEST(ClearestStep, IsTheRegionThatStaysLongest) {
       madeCurve({{10, 5000.0}, {20, 6000.0}, {60, 7000.0}, {70, 9000.0}, {80, 2e5}}, 3.0, 0.8), prior, grid);
   ASSERT_TRUE(clearest);
   EXPECT_EQ(clearest->step, 20);
+}
+
+TEST(ClearestStep, ComparesWithRegionsOfOtherSizes) {
+  const StructurePrior prior = structurePrior(1e6, false);
+  const Grid grid = tests::gridOf(glm::ivec3(100));
+  // Each stays for 10 or 20 steps.
+  const GrowthCurve curve = madeCurve({{10, 5000.0}, {30, 9000.0}, {40, 12000.0}, {60, 2e4}, {80, 7e5}}, 3.0, 0.8);
+  EXPECT_DOUBLE_EQ(clarityBeside(curve, 9000.0, prior, grid), clarityAt(curve, 60, prior, grid))
+      << "5 and 12 ml are as large as 9 by and large";
+  EXPECT_DOUBLE_EQ(clarityBeside(curve, 2e4, prior, grid), clarityAt(curve, 10, prior, grid));
+  EXPECT_GT(clarityAt(curve, 10, prior, grid), clarityAt(curve, 30, prior, grid));
+  EXPECT_EQ(clarityAt(curve, 80, prior, grid), -std::numeric_limits<double>::infinity()) << "no structure";
 }
 
 TEST(ClearestStep, LeavesOutWhatIsTooLargeOrHasNoBorder) {

@@ -10,12 +10,12 @@
 namespace fenestra::segmentation::regionFactsTest {
 namespace {
 
-/// The facts at a step in the middle of a growth whose volume grows by `factor` from step to step, with a strong edge.
-RegionFacts factsOf(double factor, double compactness = 0.5, double contrast = 5.0, double shareOfBody = 0.001,
-                    double mostRise = 6.0) {
-  constexpr int step = 100;
+constexpr int step = 100;
+
+/// A growth whose volume grows by `factor` from step to step, with a strong edge; it begins with `step`.
+Growth growthOf(double factor, double compactness = 0.5, double contrast = 5.0, double shareOfBody = 0.001,
+                double mostRise = 6.0) {
   const Grid grid = tests::gridOf(glm::ivec3(4));
-  const auto volume = tests::volumeOf<float>(grid, [](glm::ivec3 at) { return static_cast<double>(at.x); });
   Growth growth;
   const auto steps = std::make_shared<LabelMap>();
   steps->grid = grid;
@@ -31,7 +31,18 @@ RegionFacts factsOf(double factor, double compactness = 0.5, double contrast = 5
   growth.curve.automatic = step;
   growth.curve.mostRise = mostRise;
   growth.bodyVolume = 1000.0 / shareOfBody;
-  return GrowthFacts(*volume, growth).at(growth, step);
+  return growth;
+}
+
+RegionFacts factsAt(const Growth& growth, int at) {
+  const auto volume =
+      tests::volumeOf<float>(growth.steps->grid, [](glm::ivec3 voxel) { return static_cast<double>(voxel.x); });
+  return GrowthFacts(*volume, growth).at(growth, at);
+}
+
+template <class... Numbers>
+RegionFacts factsOf(Numbers... numbers) {
+  return factsAt(growthOf(numbers...), step);
 }
 
 TEST(RegionFacts, ARegionThatOtherTolerancesHoldIsClear) {
@@ -63,6 +74,28 @@ TEST(RegionFacts, InLoudNoiseHalfOfWhatCountsIsAStrongEdge) {
   EXPECT_EQ(factsOf(1.01, 0.5, 0.9, 0.001, 2.0).border, Border::Fair);
   EXPECT_EQ(factsOf(1.01, 0.2, 1.4, 0.001, 2.0).border, Border::Doubtful);
   EXPECT_EQ(factsOf(1.01, 0.2, 1.6, 0.001, 2.0).border, Border::Clear);
+}
+
+TEST(RegionFacts, ALargeRegionIsDoubtfulBesideOneThatIsNearlyAsClear) {
+  const auto factsWith = [](double lead, double share) {
+    Growth growth = growthOf(1.01, 0.5, 5.0, share);
+    growth.curve.lead = lead;
+    return factsAt(growth, step);
+  };
+  EXPECT_TRUE(factsWith(0.2, 0.05).isRivalled);
+  EXPECT_EQ(factsWith(0.2, 0.05).border, Border::Doubtful);
+  EXPECT_EQ(factsWith(0.6, 0.05).border, Border::Clear);
+  EXPECT_EQ(factsWith(0.2, 0.01).border, Border::Clear) << "a small one is seldom a leak";
+}
+
+TEST(RegionFacts, ARegionThatSpreadsFromAThinPartIsDoubtful) {
+  Growth growth = growthOf(1.01);
+  growth.curve.sprawl = 4.0;
+  EXPECT_EQ(factsAt(growth, step).border, Border::Clear);
+  growth.curve.sprawl = 5.0;
+  EXPECT_TRUE(factsAt(growth, step).sprawls);
+  EXPECT_EQ(factsAt(growth, step).border, Border::Doubtful);
+  EXPECT_FALSE(factsAt(growth, step + 1).sprawls) << "another tolerance is the user's own";
 }
 
 }  // namespace

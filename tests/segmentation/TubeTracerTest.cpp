@@ -192,6 +192,8 @@ TEST(RegionByTube, Thorough_FollowsVesselsWithoutContrastAgent) {
   };
   const GrowthMemory memory;
   for (const Case& each : {Case{52, {54, 47, 98}, 0.75, true},     // aorta; values and tissues reach 0.36
+                           Case{52, {57, 46, 108}, 0.75, true},    // near the scan's end: a tube that is followed anew
+                           Case{63, {65, 52, 103}, 0.65, true},    // … ends before the seed, and 1.3 l of liver win
                            Case{63, {63, 56, 91}, 0.65, true},     // inferior vena cava: 0.31
                            Case{79, {57, 36, 74}, 0.65, true},     // spinal cord: 0.64
                            Case{5, {87, 49, 106}, 0.85, false},    // liver

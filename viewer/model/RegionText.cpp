@@ -37,6 +37,14 @@ QString borderSentence(const RegionFacts& facts, const QString& unit) {
         return RegionWords::tr(
             "It is doubtful: nearly any other tolerance makes it far larger or smaller. Check its outline on the "
             "slices.");
+      if (facts.isRivalled)
+        return RegionWords::tr(
+            "It is doubtful: another region here, far larger or smaller, is nearly as clear. Check its outline on the "
+            "slices.");
+      if (facts.sprawls)
+        return RegionWords::tr(
+            "It is doubtful: it spreads from a thin part at the click into a thicker one. Check its outline on the "
+            "slices.");
       return RegionWords::tr(
                  "It is doubtful: values change by only %1 along its border. Check its outline on the slices.")
           .arg(step);
