@@ -53,7 +53,7 @@ TEST(Layers, Thorough_heartFromTheLeftInParallel) {
                           "--w-open 40 --w-border 3");
 }
 
-TEST(Layers, tumourWithoutAnOpening) {
+TEST(Layers, Thorough_tumourWithoutAnOpening) {
   expectPhantomLayersHold("head", "tumour", "--camera A --size 300x300", "--w-open 0 --w-border 0");
 }
 
@@ -69,7 +69,7 @@ TEST(Layers, aortaOfTheTorso) {
   expectLayersHold(scratchFolder(), image, labels, "52", "--camera 37,21 --size 500x464", "--w-open 40 --w-border 2");
 }
 
-TEST(Layers, hippocampiOfTheBrain) {
+TEST(Layers, Thorough_hippocampiOfTheBrain) {
   FENESTRA_TEST_DATA_OR_SKIP(image, "labelled/brain-colin27/ch2.nii.gz");
   FENESTRA_TEST_DATA_OR_SKIP(labels, "labelled/brain-colin27/aal.nii.gz");
   expectLayersHold(scratchFolder(), image, labels, "37,38", "--camera L --projection orthographic --size 301x229",

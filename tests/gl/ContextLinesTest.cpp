@@ -78,7 +78,7 @@ double wrongShare(const Scene& scene, const View& view, const std::vector<glm::d
   return static_cast<double>(count) / static_cast<double>(truth.size());
 }
 
-TEST_F(ContextLinesTest, AgreeWithTheReferenceAtEveryQuality) {
+TEST_F(ContextLinesTest, Thorough_AgreeWithTheReferenceAtEveryQuality) {
   Scene body = bodyWithOrgans<std::int16_t>(gridOf({26, 24, 22}));
   body.look.focus = LabelFocus{{1, 2}};
   body.look.contextLayer = openingLooks().front().contextLayer;

@@ -143,7 +143,7 @@ TEST_F(Methods, WallsReRunAlone) {
   EXPECT_EQ(after(around, [](Scene&, View&) {}), Names());
 }
 
-TEST_F(Methods, AMethodThatIsNotInUseCostsNothing) {
+TEST_F(Methods, Thorough_AMethodThatIsNotInUseCostsNothing) {
   const Scene scene = hazyBody({});
   const View view = viewOf(from(25, 15, scene));
   Scene others = scene;

@@ -145,7 +145,7 @@ TEST_F(ProgramsTest, Thorough_EachDeclaresNoMoreImagesThanOpenGlGuarantees) {
 /// Offsets by name of a block's members on this side.
 using Layout = std::map<std::string, std::size_t>;
 
-TEST_F(ProgramsTest, BlocksHaveTheLayoutOfTheirStructs) {
+TEST_F(ProgramsTest, Thorough_BlocksHaveTheLayoutOfTheirStructs) {
 #define OFFSET(Block, member) \
   { #member, offsetof(Block, member) }
   const std::map<std::string, Layout> expected{

@@ -112,7 +112,7 @@ TEST_F(Regions, AClickGrowsTheStructureAndShowsAFirstPartOfIt) {
   EXPECT_TRUE(document_.isWhole()) << "undo comes back to what was grown, at once";
 }
 
-TEST_F(Regions, AStructureLargerThanTheFirstPartShowsItsOutlineOnTheSlice) {
+TEST_F(Regions, Thorough_AStructureLargerThanTheFirstPartShowsItsOutlineOnTheSlice) {
   const glm::dvec3 centre(89.5);
   document_.open(study(glm::ivec3(180), {centre}, 80.0));
   int parts = 0;
@@ -245,7 +245,7 @@ TEST_F(Regions, TheFocusBeforeStaysWholeUntilTheRegionIs) {
   EXPECT_TRUE(document_.showsGrowth());
 }
 
-TEST_F(Regions, ALargeRegionAsksBeforeThePicturesOpenToIt) {
+TEST_F(Regions, Thorough_ALargeRegionAsksBeforeThePicturesOpenToIt) {
   document_.open(largeBall());
   document_.setFocus(ValueFocus{.values = {400.0, 600.0}});
   const Focus before = document_.focus();
@@ -280,7 +280,7 @@ TEST_F(Regions, ALargeRegionAsksBeforeThePicturesOpenToIt) {
   EXPECT_EQ(document_.focus(), before);
 }
 
-TEST_F(Regions, TheTissuesAreFoundOnceAndLiveAsLongAsTheRegion) {
+TEST_F(Regions, Thorough_TheTissuesAreFoundOnceAndLiveAsLongAsTheRegion) {
   EXPECT_EQ(grower_.memory().bytes(), 0u) << "before a click";
   click(left);
   waitUntilGrown();

@@ -193,7 +193,7 @@ std::string differenceFromItk(const fs::path& path) {
   return count == 0 ? std::string() : std::to_string(count) + " values differ";
 }
 
-TEST(RealImage, EveryFileIsAsItkReadsItOrARowSaysWhyNot) {
+TEST(RealImage, Thorough_EveryFileIsAsItkReadsItOrARowSaysWhyNot) {
   FENESTRA_TEST_DATA_OR_SKIP(root, "formats");
   DifferentialCounts counts;
   std::set<fs::path> files;
