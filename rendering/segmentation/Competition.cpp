@@ -131,12 +131,12 @@ bool Competition::decide(FirstRegion& region, std::span<const glm::ivec3> outsid
   if (!outside.empty()) prior.limit = std::min(prior.limit, sizeOf(region));
   auto clearest =
       clearestStep(region.curve, prior, volume_.grid, lastWithout(outside, region.joins, wholeOf(volume_.grid.dims)));
-  std::vector<GrowthCurve> seen{region.curve};  // of the regions that no shape bounds
+  std::vector<GrowthCurve> curves{region.curve};  // by values, by tissues and, where there are bones, by bones
   const auto compete = [&](std::vector<Level> joins, std::span<const Level> costs, const StructurePrior& own, int last,
                            auto wins) {
     keepTo(ball_, volume_.grid, wholeOf(volume_.grid.dims), joins);
     GrowthCurve curve = curveOf(joins, costs, region.noise);
-    seen.push_back(curve);
+    curves.push_back(curve);
     const auto other =
         clearestStep(curve, own, volume_.grid, std::min(last, lastWithout(outside, joins, wholeOf(volume_.grid.dims))));
     if (!other || !wins(joins, *other)) return false;
@@ -181,7 +181,7 @@ bool Competition::decide(FirstRegion& region, std::span<const glm::ivec3> outsid
   }
   if (clearest) beginWith(region.curve, clearest->step);
   if (clearest && !region.isBone && !region.isTube && !region.isWalk)
-    compareWith(std::span(seen).first(2), prior, region);
+    compareWith(std::span(curves).first(2), prior, region);  // a bone is no rival of soft tissue
   return clearest.has_value();
 }
 

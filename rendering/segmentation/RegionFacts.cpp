@@ -32,7 +32,7 @@ constexpr double leastOffset = 0.35;
 /// more of the body than most structures has had more borders to cross, and must hold for half an octave of tolerance.
 constexpr int leastSteps = 4, leastStepsOfMuch = static_cast<int>(levelsPerOctave / 2.0);
 constexpr double muchOfBody = 0.01;
-// Chosen on the marked structures, too. Those of rivals were seen on others of the same body: growing.md.
+// growing.md says on which structures these bounds were chosen, and what they do on others.
 constexpr double leastLead = 0.35;   ///< of GrowthCurve: with less, another region is nearly as clear …
 constexpr double rivalShare = 0.02;  ///< … which tells of a leak where a region is more of the body than most organs
 constexpr double mostSprawl = 4.4;   ///< of GrowthCurve

@@ -47,7 +47,7 @@ struct Made {
   Camera camera;
 };
 
-/// `least`: the least value; another than 0 has a volume in float32.
+/// A scene whose volume has the least value `least`; its voxels are of float32 where that is not 0.
 Made madeBy(unsigned seed, double least) {
   Chance chance(seed);
   const auto side = [&] { return 5 + chance.below(16); };
