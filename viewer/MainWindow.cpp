@@ -64,7 +64,9 @@ void prepare(io::Study& study) {
   }
   const Scene shown = sceneOf(scene);
   if (!study.view) study.visible = visibleFraming(shownVolume(shown), shown.look.context.shifted());
-  study.focusCentre = focusCentre(shown);
+  // A region is looked at where it was clicked; the centre of a bent one may lie outside of it.
+  const auto* region = std::get_if<RegionFocus>(&scene.look.focus);
+  study.crosshair = region ? region->origin() : focusCentre(shown);
 }
 
 void prepareFrame(QMainWindow& window) {
@@ -230,7 +232,7 @@ void MainWindow::followVolume() {
   ViewLink& cameras = workspace_.cameras;
   workspace_.cursor.setGrid(grid);
   focusSearch_.cancel();
-  if (study.focusCentre) workspace_.cursor.moveTo(*study.focusCentre);
+  if (study.crosshair) workspace_.cursor.moveTo(*study.crosshair);
   const Camera first =
       study.view ? study.view->camera : firstCamera(grid, study.visible.value_or(grid), cameras.projection());
   cameras.place({first, secondCamera(first, grid)});

@@ -36,7 +36,7 @@ struct Study : VolumeInfo {
   std::optional<PlacedView> placed;  ///< view->camera has yet to be placed, which needs an OpenGL context
 
   std::optional<Framing> visible;         ///< the part that `scene` shows, for a camera to frame; see visibleOf()
-  std::optional<glm::dvec3> focusCentre;  ///< for windows: of `scene`, world mm; where the crosshair goes first
+  std::optional<glm::dvec3> crosshair;    ///< for windows: where it goes first, on the focus of `scene`; world mm
 };
 
 /// study.visible, found when it is first asked for: a look at all voxels.

@@ -259,5 +259,14 @@ TEST_F(StudyChange, ADoubleClickBringsBackNothingOfTheStudyBefore) {
   EXPECT_EQ(cursor().position(), at);
 }
 
+TEST_F(StudyChange, AStudyWithARegionOpensAtItsSeed) {
+  const glm::dvec3 seed = markerCentre + glm::dvec3(4.0, -2.0, 0.0);
+  io::Study study = markedBall();
+  study.scene.labels = nullptr;
+  study.scene.look.focus = RegionFocus{{seed}, {}, {}};
+  open(study);
+  EXPECT_EQ(cursor().position(), seed);
+}
+
 }  // namespace
 }  // namespace fenestra::viewer::studyChangeTest
