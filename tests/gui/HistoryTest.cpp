@@ -265,6 +265,19 @@ class Weight : public Change {
   int& sum_;
 };
 
+TEST(History, MeasuresGoBeforeTheirVolume) {
+  Document document;
+  document.open(study());
+  const Measure distance{MeasureKind::Distance, {{0, 0, 1}, {2, 0, 1}}, {1, 0, 0}, {0, 1, 0}};
+  std::vector<std::size_t> heard;
+  QObject::connect(&document, &Document::volumeChanged, [&] { heard.push_back(document.measures().size()); });
+  document.setMeasures({distance}, QStringLiteral("Distance"));
+  document.open(study());
+  document.setMeasures({distance}, QStringLiteral("Distance"));
+  document.close();
+  EXPECT_EQ(heard, (std::vector<std::size_t>{0, 0})) << "a tool would look them up in another volume, or in none";
+}
+
 TEST(History, MemoryIsBoundedAndTheOldestStepsGoFirst) {
   constexpr std::size_t limit = 100000;
   History history(limit);

@@ -42,6 +42,9 @@ void Document::close() {
 }
 
 void Document::reportAll() {
+  // Who hears of the volume looks at the measures, and those of the study before are in no volume any more.
+  measures_.clear();
+  measured_.clear();
   Q_EMIT volumeChanged();
   showMeasures(study_.session.measures);
   showPath(study_.session.path);
