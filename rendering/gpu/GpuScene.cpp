@@ -230,12 +230,14 @@ void GpuScene::updateSkips(const GpuFocus::Change& focus, bool occupancyChanged)
   };
   std::vector<Skip> skips;
   const bool focusFlipped = focus.isNew || !focus.flipped.empty();
-  if (focusFlipped) skips.push_back({focusSkip_, drawnOccupied(focus_.index()), {}});
+  std::vector<OctantMask> inFocus;
+  if (focusFlipped || occupancyChanged) inFocus = drawnOccupied(focus_.index());
+  if (focusFlipped) skips.push_back({focusSkip_, inFocus, {}});
   const bool anyFlipped = focus.isNew || occupancyChanged || (focusFlipped && refinement_ > 1) ||
                           std::any_of(focus.flipped.begin(), focus.flipped.end(),
                                       [&](std::size_t brick) { return contextOccupied_[brick] != wholeBrick; });
   if (anyFlipped) {
-    std::vector<OctantMask> occupied = drawnOccupied(focus_.index());
+    std::vector<OctantMask> occupied = std::move(inFocus);
     for (std::size_t i = 0; i < occupied.size(); ++i) occupied[i] |= contextOccupied_[i];
     skips.push_back({occupiedSkip_, std::move(occupied), {}});
   }
