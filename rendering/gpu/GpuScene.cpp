@@ -208,11 +208,16 @@ void GpuScene::updateVolume(ShownVolume shown) {
   if (refinement_ > 1) {
     spline_.emplace(shown);
     const ShownVolume samples{refinedVolume(*shown.volume, *spline_, refinement_)};
-    volumeTexture_ = makeVolumeTexture(samples);
-    coefficients_ = makeCoefficients(*spline_, volumeTexture_);
-    bricks_ = brickRanges(samples, WithOctants::No);  // those would have to be widened, too
-    widen(bricks_, *samples.volume);
-    voxelBricks_ = brickRanges(shown, WithOctants::No);  // rays leap by those of the drawn grid
+    together(
+        [&] {
+          volumeTexture_ = makeVolumeTexture(samples);
+          coefficients_ = makeCoefficients(*spline_, volumeTexture_);
+        },
+        [&] {
+          bricks_ = brickRanges(samples, WithOctants::No);  // those would have to be widened, too
+          widen(bricks_, *samples.volume);
+          voxelBricks_ = brickRanges(shown, WithOctants::No);  // rays leap by those of the drawn grid
+        });
   } else {
     together([&] { volumeTexture_ = makeVolumeTexture(shown); }, [&] { bricks_ = brickRanges(shown); });
     voxelBricks_ = {};

@@ -17,6 +17,8 @@
 namespace fenestra {
 namespace {
 
+constexpr IndexBox noVoxels{glm::ivec3(0), glm::ivec3(-1)};
+
 bool fitsSixteenBits(const Volume& volume) {
   const ScalarType type = volume.voxels.type();
   return type != ScalarType::Float32 && type != ScalarType::Float64 &&
@@ -183,28 +185,35 @@ gl::Texture makeCoefficients(const SplineVectors& normals) {
   return texture;
 }
 
-GradientTexture makeRefinedGradient(const SplineVectors& normals, int factor, const std::optional<IndexBox>& box) {
-  const glm::ivec3 dims = normals.part(0).dims() * factor;
-  const glm::ivec3 low = box ? box->low : glm::ivec3(0), high = box ? box->high : glm::ivec3(-1);
+GradientTexture refinedGradientFor(glm::ivec3 dims, int factor, const std::optional<IndexBox>& box) {
+  const IndexBox in = box.value_or(noVoxels);
   GradientTexture result;
-  result.origin = glm::max(low - 1, glm::ivec3(0));
-  const glm::ivec3 size = glm::min(high + 1, dims - 1) - result.origin + 1;
-  result.texture = gl::Texture::make3D(gl::Format::RGB10A2, size);
+  result.origin = glm::max(in.low - 1, glm::ivec3(0));
+  result.texture =
+      gl::Texture::make3D(gl::Format::RGB10A2, glm::min(in.high + 1, dims * factor - 1) - result.origin + 1);
+  return result;
+}
+
+void fillRefinedGradient(GradientTexture& gradient, const SplineVectors& normals, int factor,
+                         const std::optional<IndexBox>& box) {
+  const auto [low, high] = box.value_or(noVoxels);
+  const glm::ivec3 size = gradient.texture.size(), origin = gradient.origin;
   const std::array<RefinedSampler, 3> samplers{RefinedSampler(normals.part(0), factor),
                                                RefinedSampler(normals.part(1), factor),
                                                RefinedSampler(normals.part(2), factor)};
   constexpr std::uint32_t flat = 511u | 511u << 10 | 511u << 20;
-  uploadBySlabs<std::uint32_t>(result.texture, planeSize(size), [&](int depth, std::uint32_t* texels) {
-    const int z = result.origin.z + depth;
+  uploadBySlabs<
+      std::uint32_t>(gradient.texture, planeSize(size), [&, low = low, high = high](int depth, std::uint32_t* texels) {
+    const int z = origin.z + depth;
     if (z < low.z || z > high.z) {
       std::fill_n(texels, planeSize(size), flat);
       return;
     }
     const std::array<std::vector<double>, 3> planes{samplers[0].plane(z), samplers[1].plane(z), samplers[2].plane(z)};
-    const auto width = static_cast<std::size_t>(size.x), first = static_cast<std::size_t>(low.x - result.origin.x),
+    const auto width = static_cast<std::size_t>(size.x), first = static_cast<std::size_t>(low.x - origin.x),
                count = static_cast<std::size_t>(high.x - low.x + 1);
     RefinedSampler::Room room;
-    for (int y = result.origin.y; y < result.origin.y + size.y; ++y, texels += width) {
+    for (int y = origin.y; y < origin.y + size.y; ++y, texels += width) {
       const bool isIn = y >= low.y && y <= high.y;
       std::fill_n(texels, isIn ? first : width, flat);
       if (!isIn) continue;
@@ -212,7 +221,6 @@ GradientTexture makeRefinedGradient(const SplineVectors& normals, int factor, co
       std::fill(texels + first + count, texels + width, flat);
     }
   });
-  return result;
 }
 
 gl::Texture makeCoefficients(const SplineVolume& spline, const VolumeCoding& coding) {
