@@ -259,8 +259,9 @@ void VolumeView::refined(Effort effort) {
     stopRefining();
     settled_ = true;
     attemptOnPicture([this] { reportStarts(); });
-    // Compile ahead, so that the first frame of a drag need not wait for its programs.
-    if (const Effort moving = pacer.moving(ViewLink::count); moving != effort)
+    // Compile ahead, so that the first frame of a drag need not wait for its programs. A view that is still to be
+    // refined would have to wait for that.
+    if (const Effort moving = pacer.moving(ViewLink::count); moving != effort && pacer.mayRefine(index_))
       shared_.preparation->prepareAhead(shownScene(), viewFor(moving));
   }
   repaintSurface();
