@@ -104,6 +104,7 @@ void ViewArea::warmUp(const Focus& expected) {
   const auto first =
       std::find_if(kinds.begin(), kinds.end(), [&](const Focus& kind) { return kind.index() == expected.index(); });
   if (first != kinds.end()) std::rotate(kinds.begin(), first, first + 1);
+  if (first != kinds.end()) kinds.front() = expected;
   if (preparation_) preparation_->warmUp(kinds, atRest().quality, atRest().maxError);
 }
 
