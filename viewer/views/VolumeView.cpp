@@ -128,9 +128,15 @@ void VolumeView::contextFreed() {
 void VolumeView::drawPrepared() {
   isPreparedDue_ = false;
   const Scene scene = shownScene(), held = shared_.preparation->held(scene);
+  const bool isFirst = !hasPicture();
   draw(held);
-  if (isNew_) repaintSurface();
-  if (held == scene || !isNew_) return;
+  if (!isNew_) return;
+  repaintSurface();
+  if (isFirst) {  // at once: the other view draws in the next event
+    surface_->widget().repaint();
+    surface_->tellShown();
+  }
+  if (held == scene) return;
   settled_ = false;
   due_ = Due::Motion;
   rest_.start(restMilliseconds);
