@@ -96,6 +96,7 @@ MainWindow::MainWindow(const Setup& setup, QWidget* parent)
   sessions_ = new Sessions(*this, workspace_, loader_, *notices_,
                            {.describe = [this](io::Session& session) { views_->describe(session); },
                             .restore = [this](const io::Session& session) { views_->restore(session); }});
+  if (setup.openFirst) setup.openFirst(*this);
   files_ = new FileOpener(*this, workspace_, loader_, *sessions_, *notices_);
   exports_ = new Exports(*this, workspace_.document, workspace_.options, *notices_);
   pictures_ = new PictureExports(*this, workspace_.document, *views_, *notices_);
