@@ -91,7 +91,7 @@ MainWindow::MainWindow(const Setup& setup, QWidget* parent)
 
   connectModels();  // before the views connect, so that the models are up to date when a view draws
   views_ = new ViewArea(workspace_, gl_, setup.atRest.value_or(workspace_.preferences.atRest()), setup.chooseSchedule);
-  if (setup.expected) views_->warmUp(*setup.expected);
+  if (setup.expected) views_->warmUp(*setup.expected, static_cast<bool>(setup.openFirst));
   notices_ = new NoticeBar;
   sessions_ = new Sessions(*this, workspace_, loader_, *notices_,
                            {.describe = [this](io::Session& session) { views_->describe(session); },

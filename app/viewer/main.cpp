@@ -238,10 +238,8 @@ int main(int argc, char** argv) {
                              const std::shared_ptr<GpuScene>& gpu, const Scene& scene,
                              const View& view) { app::chooseScheduleQuickly(asked, software, gpu, scene, view); },
        .remember = stays,
-       .openFirst =
-           [&](MainWindow& opening) {
-             if (opensAtOnce) openAsked(opening, request);
-           }});
+       .openFirst = opensAtOnce ? [&](MainWindow& opening) { openAsked(opening, request); }
+                                : std::function<void(MainWindow&)>()});
   std::vector<std::string> phantoms = io::phantomNames();
   std::partition(phantoms.begin(), phantoms.end(), [](const std::string& name) { return name == Tour::phantom; });
   for (const std::string& name : phantoms)

@@ -191,7 +191,8 @@ void ScenePreparation::prepareAhead(const Scene& scene, const View& view) {
   start(scene, view, kind);
 }
 
-void ScenePreparation::warmUp(const std::vector<Focus>& kinds, Quality atRest, std::optional<double> maxError) {
+void ScenePreparation::warmUp(const std::vector<Focus>& kinds, Quality atRest, std::optional<double> maxError,
+                              bool isRead) {
   const auto add = [&](const Scene& scene, Quality quality, bool rests) {
     const Camera camera = Camera::standard(StandardView::Anterior, scene.volume->grid);
     View view{.camera = camera, .size = glm::ivec2(80), .quality = quality};
@@ -211,17 +212,20 @@ void ScenePreparation::warmUp(const std::vector<Focus>& kinds, Quality atRest, s
   addLast(expected);
   addMoving(expected);
   addMoving(spline);
+  const std::size_t first = samples_.size();
   for (const Focus& focus : std::span(kinds).subspan(1)) {
     const Scene scene = sampleScene(focus);
     addFirst(scene);
     addMoving(scene);
     addLast(scene);
   }
+  if (isRead) later_ = samples_.size() - first;
   goOn();
 }
 
 void ScenePreparation::goOn() {
-  if (glContext_.isBusy() || samples_.empty()) return;
+  if (!known_.empty()) later_ = 0;
+  if (glContext_.isBusy() || samples_.size() <= later_) return;
   isAhead_ = true;
   auto isDone = std::make_shared<bool>(false);
   glContext_.runBehind(
