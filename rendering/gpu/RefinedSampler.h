@@ -26,7 +26,7 @@ class RefinedSampler {
   };
   /// The samples at the refined x of a refined y of such a plane.
   void row(const std::vector<double>& plane, int y, Room& room, std::span<double> samples) const;
-  /// The same samples as (sample - least) · scale, rounded, in 0 … 65535.
+  /// Those samples as (sample - least) · scale, rounded, in 0 … 65535.
   void row(const std::vector<double>& plane, int y, Room& room, double least, double scale,
            std::span<std::uint16_t> stored) const;
   /// A normal's components in such planes of splines that are sampled alike, at the refined x from `low` on, as texels
