@@ -93,11 +93,12 @@ MainWindow::MainWindow(const Setup& setup, QWidget* parent)
 
   connectModels();  // before the views connect, so that the models are up to date when a view draws
   views_ = new ViewArea(workspace_, gl_, setup.atRest.value_or(workspace_.preferences.atRest()), setup.chooseSchedule);
-  if (setup.expected) views_->warmUp(*setup.expected);
+  if (setup.expected) views_->warmUp(*setup.expected, static_cast<bool>(setup.openFirst));
   notices_ = new NoticeBar;
   sessions_ = new Sessions(*this, workspace_, loader_, *notices_,
                            {.describe = [this](io::Session& session) { views_->describe(session); },
                             .restore = [this](const io::Session& session) { views_->restore(session); }});
+  if (setup.openFirst) setup.openFirst(*this);
   files_ = new FileOpener(*this, workspace_, loader_, *sessions_, *notices_);
   exports_ = new Exports(*this, workspace_.document, workspace_.options, *notices_);
   pictures_ = new PictureExports(*this, workspace_.document, *views_, *notices_);

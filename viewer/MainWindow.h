@@ -53,7 +53,10 @@ class MainWindow : public QMainWindow {
     std::optional<Focus> expected = {};
     ChooseSchedule chooseSchedule = {};  ///< unset: the renderer's name decides
     bool remember = true;                ///< restore and save layout, recent files and `atRest`
-    MainWindow* first = nullptr;         ///< this window is for a study beside that one's, which owns it
+    /// Opens the first study, by open() or sessions(), while the rest of the window is built: what it is read from
+    /// takes as long. No event is handled until then.
+    std::function<void(MainWindow&)> openFirst = {};
+    MainWindow* first = nullptr;  ///< this window is for a study beside that one's, which owns it
   };
 
   explicit MainWindow(const Setup& setup, QWidget* parent = nullptr);

@@ -52,6 +52,7 @@ void MainWindow::tellFrames() {
 MainWindow& MainWindow::showBeside() {
   if (!other()) {
     Setup setup = setup_;
+    setup.openFirst = {};  // that study is open here
     setup.first = this;
     second_ = std::make_unique<MainWindow>(setup);
     for (const auto& [name, read] : samples_) second_->addSample(name, read);

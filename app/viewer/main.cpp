@@ -25,6 +25,7 @@
 #include "viewer/guide/Tour.h"
 #include "viewer/model/Languages.h"
 #include "viewer/model/Preferences.h"
+#include "viewer/model/SessionController.h"
 #include "viewer/style/Style.h"
 
 namespace fenestra::viewer {
@@ -173,15 +174,21 @@ void setUp(QApplication& application, const Request& request) {
   applyStyle(application);
 }
 
-/// Offers to restore work after a crash; otherwise opens what `request` names, and else offers it beside the work.
-void openInWindow(MainWindow& window, const Request& request) {
+/// Opens what `request` names.
+void openAsked(MainWindow& window, const Request& request) {
+  window.sessions().open([study = request.studyWith(window.workspace().preferences)] { return study; });
+}
+
+/// Offers to restore work after a crash. What `request` names is then offered beside the work, and else opened, unless
+/// it `isOpening` already.
+void openInWindow(MainWindow& window, const Request& request, bool isOpening) {
   const bool restores = window.sessions().startRecovery(Sessions::recoveryFolder());
-  if (request.welcomes) return;
-  const auto asked = [study = request.studyWith(window.workspace().preferences)] { return study; };
+  if (request.welcomes || isOpening) return;
   if (restores)
-    window.offer(QString::fromStdString(request.study.source()), asked);
+    window.offer(QString::fromStdString(request.study.source()),
+                 [study = request.studyWith(window.workspace().preferences)] { return study; });
   else
-    window.sessions().open(asked);
+    openAsked(window, request);
 }
 
 /// Opens what `request` names, saves the window once it is drawn, and ends the program.
@@ -220,6 +227,9 @@ int main(int argc, char** argv) {
   const bool stays = request.screenshot.empty();
   const GlSupport gl = probeOpenGl();
   if (!gl.available && !stays) tell(gl.problem.toStdString());
+  // Where there is work to restore, the user is asked first.
+  const bool opensAtOnce =
+      stays && !request.welcomes && SessionController::abandonedIn(Sessions::recoveryFolder()).empty();
   MainWindow window(
       {.gl = gl,
        .atRest = request.atRest,
@@ -227,7 +237,9 @@ int main(int argc, char** argv) {
        .chooseSchedule = [asked = request.schedule, software = gl.software](
                              const std::shared_ptr<GpuScene>& gpu, const Scene& scene,
                              const View& view) { app::chooseScheduleQuickly(asked, software, gpu, scene, view); },
-       .remember = stays});
+       .remember = stays,
+       .openFirst = opensAtOnce ? [&](MainWindow& opening) { openAsked(opening, request); }
+                                : std::function<void(MainWindow&)>()});
   std::vector<std::string> phantoms = io::phantomNames();
   std::partition(phantoms.begin(), phantoms.end(), [](const std::string& name) { return name == Tour::phantom; });
   for (const std::string& name : phantoms)
@@ -236,7 +248,7 @@ int main(int argc, char** argv) {
   window.show();
   const TerminationSignals signals([&window] { window.leave(); });
   if (stays)
-    openInWindow(window, request);
+    openInWindow(window, request, opensAtOnce);
   else
     openForScreenshot(window, request);
   return QApplication::exec();

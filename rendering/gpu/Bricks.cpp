@@ -6,6 +6,7 @@
 #include <type_traits>
 #include <utility>
 
+#include "rendering/gpu/WideRows.h"
 #include "rendering/volume/Threads.h"
 
 namespace fenestra {
@@ -53,6 +54,26 @@ std::pair<int, int> voxelsOf(int octant, int dims) {
   return {std::max(octant * octantSide - 1, 0), std::min(octant * octantSide + octantSide - 1, dims - 1)};
 }
 
+template <class T>
+inline void joinValues(const T* row, std::size_t count, T* low, T* high) {
+  for (std::size_t x = 0; x < count; ++x) {
+    low[x] = std::min(low[x], row[x]);
+    high[x] = std::max(high[x], row[x]);
+  }
+}
+
+/// Widens the range at each x by the row's value there.
+template <class T>
+void joinRow(const T* row, std::size_t count, T* low, T* high) {
+  joinValues(row, count, low, high);
+}
+FENESTRA_WIDE_ROWS void joinRow(const std::int16_t* row, std::size_t count, std::int16_t* low, std::int16_t* high) {
+  joinValues(row, count, low, high);
+}
+FENESTRA_WIDE_ROWS void joinRow(const std::uint16_t* row, std::size_t count, std::uint16_t* low, std::uint16_t* high) {
+  joinValues(row, count, low, high);
+}
+
 /// Least and greatest stored value of the octants of a layer of bricks, x fastest.
 template <class T>
 class OctantLayer {
@@ -74,7 +95,7 @@ class OctantLayer {
         std::fill(low_.begin(), low_.end(), Ends().low);
         std::fill(high_.begin(), high_.end(), Ends().high);
         for (int vz = zFirst; vz <= zLast; ++vz)
-          for (int vy = yFirst; vy <= yLast; ++vy) join(read(vy, vz), width);
+          for (int vy = yFirst; vy <= yLast; ++vy) joinRow(read(vy, vz), width, low_.data(), high_.data());
         Ends* octants = ends_.data() + brickOffset(dims_, {0, y, z});
         for (int x = 0; x < dims_.x; ++x) {
           const auto [first, last] = voxelsOf(x, voxels.x);
@@ -97,14 +118,6 @@ class OctantLayer {
   const Ends& octant(glm::ivec3 at) const { return ends_[brickOffset(dims_, at)]; }
 
  private:
-  void join(const T* row, std::size_t width) {
-    T *low = low_.data(), *high = high_.data();
-    for (std::size_t x = 0; x < width; ++x) {
-      low[x] = std::min(low[x], row[x]);
-      high[x] = std::max(high[x], row[x]);
-    }
-  }
-
   glm::ivec3 dims_;
   std::vector<Ends> ends_;
   std::vector<T> low_, high_;  ///< of a row of octants, by voxel

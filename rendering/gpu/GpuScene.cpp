@@ -208,11 +208,16 @@ void GpuScene::updateVolume(ShownVolume shown) {
   if (refinement_ > 1) {
     spline_.emplace(shown);
     const ShownVolume samples{refinedVolume(*shown.volume, *spline_, refinement_)};
-    volumeTexture_ = makeVolumeTexture(samples);
-    coefficients_ = makeCoefficients(*spline_, volumeTexture_);
-    bricks_ = brickRanges(samples, WithOctants::No);  // those would have to be widened, too
-    widen(bricks_, *samples.volume);
-    voxelBricks_ = brickRanges(shown, WithOctants::No);  // rays leap by those of the drawn grid
+    together(
+        [&] {
+          volumeTexture_ = makeVolumeTexture(samples);
+          coefficients_ = makeCoefficients(*spline_, volumeTexture_);
+        },
+        [&] {
+          bricks_ = brickRanges(samples, WithOctants::No);  // those would have to be widened, too
+          widen(bricks_, *samples.volume);
+          voxelBricks_ = brickRanges(shown, WithOctants::No);  // rays leap by those of the drawn grid
+        });
   } else {
     together([&] { volumeTexture_ = makeVolumeTexture(shown); }, [&] { bricks_ = brickRanges(shown); });
     voxelBricks_ = {};
@@ -230,12 +235,14 @@ void GpuScene::updateSkips(const GpuFocus::Change& focus, bool occupancyChanged)
   };
   std::vector<Skip> skips;
   const bool focusFlipped = focus.isNew || !focus.flipped.empty();
-  if (focusFlipped) skips.push_back({focusSkip_, drawnOccupied(focus_.index()), {}});
+  std::vector<OctantMask> inFocus;
+  if (focusFlipped || occupancyChanged) inFocus = drawnOccupied(focus_.index());
+  if (focusFlipped) skips.push_back({focusSkip_, inFocus, {}});
   const bool anyFlipped = focus.isNew || occupancyChanged || (focusFlipped && refinement_ > 1) ||
                           std::any_of(focus.flipped.begin(), focus.flipped.end(),
                                       [&](std::size_t brick) { return contextOccupied_[brick] != wholeBrick; });
   if (anyFlipped) {
-    std::vector<OctantMask> occupied = drawnOccupied(focus_.index());
+    std::vector<OctantMask> occupied = std::move(inFocus);
     for (std::size_t i = 0; i < occupied.size(); ++i) occupied[i] |= contextOccupied_[i];
     skips.push_back({occupiedSkip_, std::move(occupied), {}});
   }

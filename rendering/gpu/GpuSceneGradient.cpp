@@ -78,9 +78,11 @@ void GpuScene::updateGradient(const GpuFocus::Change& focus, bool occupancyChang
   gradient_ = {};
   gradientBox_ = wanted;
   if (spline_) {
-    const SplineVectors normals = gatedNormals(*shown_.volume, *spline_);
-    gradient_ = makeRefinedGradient(normals, refinement_, wanted);
-    if (!normalCoefficients_) normalCoefficients_ = makeCoefficients(normals);
+    std::optional<SplineVectors> normals;
+    together([&] { gradient_ = refinedGradientFor(grid().dims, refinement_, wanted); },
+             [&] { normals.emplace(gatedNormals(*shown_.volume, *spline_)); });
+    fillRefinedGradient(gradient_, *normals, refinement_, wanted);
+    if (!normalCoefficients_) normalCoefficients_ = makeCoefficients(*normals);
   } else {
     gradient_ = makeGradientTexture(shown_, wanted);
   }

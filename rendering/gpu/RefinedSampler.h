@@ -19,11 +19,29 @@ class RefinedSampler {
 
   /// Coefficients of x and y in the plane of a refined z.
   std::vector<double> plane(int z) const;
-  /// The samples at the refined x from `low` on, of a refined y of such a plane. `coefficients` is for the row's.
-  void row(const std::vector<double>& plane, int y, std::vector<double>& coefficients, int low,
-           std::span<double> samples) const;
+  /// Room for what a row is made of, kept from row to row.
+  struct Room {
+    std::array<std::vector<double>, 3> coefficients;
+    std::vector<std::uint32_t> coded;
+  };
+  /// The samples at the refined x of a refined y of such a plane.
+  void row(const std::vector<double>& plane, int y, Room& room, std::span<double> samples) const;
+  /// Those samples as (sample - least) · scale, rounded, in 0 … 65535.
+  void row(const std::vector<double>& plane, int y, Room& room, double least, double scale,
+           std::span<std::uint16_t> stored) const;
+  /// A normal's components in such planes of splines that are sampled alike, at the refined x from `low` on, as texels
+  /// of RGB10A2, zero at 511/1023.
+  void normals(const std::array<std::vector<double>, 3>& planes, int y, Room& room, int low,
+               std::span<std::uint32_t> texels) const;
 
  private:
+  /// Coefficients of x of a refined y of a plane.
+  void join(const std::vector<double>& plane, int y, std::vector<double>& coefficients) const;
+  /// use(x, step, count) for the refined x from `low` to `high`, of which count ones lie step apart from x on and take
+  /// coefficients one behind the other.
+  template <class Use>
+  void forEachRun(int low, int high, const Use& use) const;
+
   /// What the refined voxels along an axis take of the four coefficients around each.
   class Taps {
    public:
@@ -32,7 +50,10 @@ class RefinedSampler {
     int voxel(int k) const { return voxels_[place(k)]; }
     double weight(int k, std::size_t of) const { return weights_[of][place(k)]; }
     /// The weights of k, k + factor, …, one behind the other.
-    const double* weightsFrom(int k, std::size_t of) const { return weights_[of].data() + place(k); }
+    std::array<const double*, 4> weightsFrom(int k) const {
+      const std::size_t at = place(k);
+      return {weights_[0].data() + at, weights_[1].data() + at, weights_[2].data() + at, weights_[3].data() + at};
+    }
     /// Within [firstEven, endEven) the voxel of k + factor is the one behind that of k.
     int firstEven() const { return (factor_ - 1) / 2; }
     int endEven() const { return factor_ * (count_ - 1) + firstEven(); }
@@ -50,9 +71,10 @@ class RefinedSampler {
   Taps x_, y_, z_;
 };
 
+/// SplineVolume::gradient() at the voxels of a row, to the bit.
+void voxelGradients(const SplineVolume& spline, int y, int z, std::span<glm::dvec3> gradients);
+
 /// Sets ten bits of each texel from `shift` on to a component of a normal, RGB10A2, zero at 511/1023.
 void setTenBits(std::span<const double> components, int shift, std::uint32_t* texels);
-/// (value - least) · scale, rounded, in 0 … 65535.
-void toSixteenBits(std::span<const double> values, double least, double scale, std::uint16_t* stored);
 
 }  // namespace fenestra

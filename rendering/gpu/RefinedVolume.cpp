@@ -11,15 +11,37 @@
 
 #include "rendering/gpu/RefinedSampler.h"
 #include "rendering/gpu/UploadSlabs.h"
+#include "rendering/gpu/WideRows.h"
 #include "rendering/scene/Lighting.h"
 
 namespace fenestra {
 namespace {
 
+constexpr IndexBox noVoxels{glm::ivec3(0), glm::ivec3(-1)};
+
 bool fitsSixteenBits(const Volume& volume) {
   const ScalarType type = volume.voxels.type();
   return type != ScalarType::Float32 && type != ScalarType::Float64 &&
          (volume.range.high - volume.range.low) / std::abs(volume.slope) <= 65535.0;
+}
+
+template <class Stored, class Wide>
+inline void takeDifferences(const Stored* row, std::ptrdiff_t stride, std::size_t count, Wide* greatest) {
+  for (std::size_t i = 0; i < count; ++i) {
+    const Stored* at = row + i;
+    const Wide bend = static_cast<Wide>(at[-stride]) - 2 * static_cast<Wide>(at[0]) + static_cast<Wide>(at[stride]);
+    greatest[i] = std::max(greatest[i], bend < 0 ? -bend : bend);
+  }
+}
+
+/// Raises the greatest second difference at each x to the row's there.
+template <class Stored, class Wide>
+void takeBends(const Stored* row, std::ptrdiff_t stride, std::size_t count, Wide* greatest) {
+  takeDifferences(row, stride, count, greatest);
+}
+FENESTRA_WIDE_ROWS void takeBends(const std::uint16_t* row, std::ptrdiff_t stride, std::size_t count,
+                                  std::int32_t* greatest) {
+  takeDifferences(row, stride, count, greatest);
 }
 
 /// The greatest second differences along each axis at the samples of a row of bricks, as stored: at each x, over the
@@ -61,13 +83,8 @@ class RowBends {
     glm::ivec3 next(0);
     next[axis] = 1;
     const auto stride = static_cast<std::ptrdiff_t>(grid_.offset(next));
-    const Stored* row = scalars_.data() + grid_.offset(from);
-    Wide* greatest = greatest_[static_cast<std::size_t>(axis)].data() + from.x;
-    for (int i = 0; i < count; ++i) {
-      const Wide bend =
-          static_cast<Wide>(row[i - stride]) - 2 * static_cast<Wide>(row[i]) + static_cast<Wide>(row[i + stride]);
-      greatest[i] = std::max(greatest[i], bend < 0 ? -bend : bend);
-    }
+    takeBends(scalars_.data() + grid_.offset(from), stride, static_cast<std::size_t>(count),
+              greatest_[static_cast<std::size_t>(axis)].data() + from.x);
   }
 
   std::span<const Stored> scalars_;
@@ -75,18 +92,17 @@ class RowBends {
   std::array<std::vector<Wide>, 3> greatest_;  ///< by axis
 };
 
-/// store(samples, out) codes a row.
+/// store(plane, y, room, row) samples a row of a plane.
 template <class T, class Store>
 void sample(Volume& volume, const RefinedSampler& sampler, const Store& store) {
   const glm::ivec3 dims = volume.grid.dims;
   parallelFor(static_cast<std::size_t>(dims.z), 1, [&](std::size_t begin, std::size_t end) {
-    std::vector<double> coefficients, samples(static_cast<std::size_t>(dims.x));
+    RefinedSampler::Room room;
     for (int z = static_cast<int>(begin); z < static_cast<int>(end); ++z) {
       const std::vector<double> plane = sampler.plane(z);
-      for (int y = 0; y < dims.y; ++y) {
-        sampler.row(plane, y, coefficients, 0, samples);
-        store(samples, volume.voxels.as<T>().data() + volume.grid.offset({0, y, z}));
-      }
+      for (int y = 0; y < dims.y; ++y)
+        store(plane, y, room,
+              volume.voxels.as<T>().subspan(volume.grid.offset({0, y, z}), static_cast<std::size_t>(dims.x)));
     }
   });
 }
@@ -115,14 +131,20 @@ std::shared_ptr<const Volume> refinedVolume(const Volume& volume, const SplineVo
     result->slope = high > low ? (high - low) / last : 1.0;
     result->intercept = low;
     const double perReal = 1.0 / result->slope;
-    sample<std::uint16_t>(*result, sampler,
-                          [perReal, least = low](std::span<const double> values, std::uint16_t* stored) {
-                            toSixteenBits(values, least, perReal, stored);
-                          });
+    sample<std::uint16_t>(
+        *result, sampler,
+        [&, least = low](const std::vector<double>& plane, int y, RefinedSampler::Room& room,
+                         std::span<std::uint16_t> row) { sampler.row(plane, y, room, least, perReal, row); });
   } else {
-    sample<float>(*result, sampler, [least = low, greatest = high](std::span<const double> values, float* stored) {
-      for (const double value : values) *stored++ = static_cast<float>(std::clamp(value, least, greatest));
-    });
+    sample<float>(*result, sampler,
+                  [&, least = low, greatest = high](const std::vector<double>& plane, int y, RefinedSampler::Room& room,
+                                                    std::span<float> row) {
+                    std::vector<double> samples(row.size());
+                    sampler.row(plane, y, room, samples);
+                    std::transform(samples.begin(), samples.end(), row.begin(), [&](double value) {
+                      return static_cast<float>(std::clamp(value, least, greatest));
+                    });
+                  });
   }
   return result;
 }
@@ -140,11 +162,15 @@ SplineVectors gatedNormals(const Volume& volume, const SplineVolume& spline) {
   const double unit =
       std::max(volume.range.high - volume.range.low, 1e-30) / std::min({spacing.x, spacing.y, spacing.z});
   const glm::dmat3 worldFromIndexGradient = glm::transpose(glm::dmat3(volume.grid.indexFromWorld())) / unit;
-  return SplineVectors(volume.grid.dims, [&](glm::ivec3 voxel) {
-    const glm::dvec3 g = worldFromIndexGradient * spline.gradient(glm::dvec3(voxel));
+  const auto gated = [&](glm::dvec3 gradient) {
+    const glm::dvec3 g = worldFromIndexGradient * gradient;
     const double length = glm::length(g);
     if (!(length > lighting::gradientGateLow)) return glm::dvec3(0.0);
     return g * (glm::smoothstep(lighting::gradientGateLow, lighting::gradientGateHigh, length) / length);
+  };
+  return SplineVectors(volume.grid.dims, SplineVectors::ByRows{}, [&](int y, int z, std::span<glm::dvec3> row) {
+    voxelGradients(spline, y, z, row);
+    std::transform(row.begin(), row.end(), row.begin(), gated);
   });
 }
 
@@ -159,32 +185,42 @@ gl::Texture makeCoefficients(const SplineVectors& normals) {
   return texture;
 }
 
-GradientTexture makeRefinedGradient(const SplineVectors& normals, int factor, const std::optional<IndexBox>& box) {
-  const glm::ivec3 dims = normals.part(0).dims() * factor;
-  const glm::ivec3 low = box ? box->low : glm::ivec3(0), high = box ? box->high : glm::ivec3(-1);
+GradientTexture refinedGradientFor(glm::ivec3 dims, int factor, const std::optional<IndexBox>& box) {
+  const IndexBox in = box.value_or(noVoxels);
   GradientTexture result;
-  result.origin = glm::max(low - 1, glm::ivec3(0));
-  const glm::ivec3 size = glm::min(high + 1, dims - 1) - result.origin + 1;
-  result.texture = gl::Texture::make3D(gl::Format::RGB10A2, size);
+  result.origin = glm::max(in.low - 1, glm::ivec3(0));
+  result.texture =
+      gl::Texture::make3D(gl::Format::RGB10A2, glm::min(in.high + 1, dims * factor - 1) - result.origin + 1);
+  return result;
+}
+
+void fillRefinedGradient(GradientTexture& gradient, const SplineVectors& normals, int factor,
+                         const std::optional<IndexBox>& box) {
+  const auto [low, high] = box.value_or(noVoxels);
+  const glm::ivec3 size = gradient.texture.size(), origin = gradient.origin;
   const std::array<RefinedSampler, 3> samplers{RefinedSampler(normals.part(0), factor),
                                                RefinedSampler(normals.part(1), factor),
                                                RefinedSampler(normals.part(2), factor)};
   constexpr std::uint32_t flat = 511u | 511u << 10 | 511u << 20;
-  uploadBySlabs<std::uint32_t>(result.texture, planeSize(size), [&](int depth, std::uint32_t* texels) {
-    std::fill_n(texels, planeSize(size), flat);
-    const int z = result.origin.z + depth;
-    if (z < low.z || z > high.z) return;
-    std::vector<double> coefficients, samples(static_cast<std::size_t>(high.x - low.x + 1));
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      const std::vector<double> plane = samplers[axis].plane(z);
-      for (int y = low.y; y <= high.y; ++y) {
-        samplers[axis].row(plane, y, coefficients, low.x, samples);
-        const std::size_t row = static_cast<std::size_t>(y - result.origin.y) * static_cast<std::size_t>(size.x);
-        setTenBits(samples, 10 * static_cast<int>(axis), texels + row + (low.x - result.origin.x));
-      }
+  uploadBySlabs<
+      std::uint32_t>(gradient.texture, planeSize(size), [&, low = low, high = high](int depth, std::uint32_t* texels) {
+    const int z = origin.z + depth;
+    if (z < low.z || z > high.z) {
+      std::fill_n(texels, planeSize(size), flat);
+      return;
+    }
+    const std::array<std::vector<double>, 3> planes{samplers[0].plane(z), samplers[1].plane(z), samplers[2].plane(z)};
+    const auto width = static_cast<std::size_t>(size.x), first = static_cast<std::size_t>(low.x - origin.x),
+               count = static_cast<std::size_t>(high.x - low.x + 1);
+    RefinedSampler::Room room;
+    for (int y = origin.y; y < origin.y + size.y; ++y, texels += width) {
+      const bool isIn = y >= low.y && y <= high.y;
+      std::fill_n(texels, isIn ? first : width, flat);
+      if (!isIn) continue;
+      samplers[0].normals(planes, y, room, low.x, {texels + first, count});
+      std::fill(texels + first + count, texels + width, flat);
     }
   });
-  return result;
 }
 
 gl::Texture makeCoefficients(const SplineVolume& spline, const VolumeCoding& coding) {
@@ -223,16 +259,32 @@ void widen(BrickRanges& bricks, const Volume& samples) {
 std::vector<std::uint8_t> refinedOccupied(const FocusIndex& focus, glm::ivec3 dims, int factor) {
   const glm::ivec3 bricks = brickCount(dims * factor);
   const int shift = (factor - 1) / 2;  // cell c of the finer grid lies in the volume's (c + shift) / factor
+  const auto firstCell = [&](glm::ivec3 brick) { return glm::min((brick * brickSide + shift) / factor, dims); };
+  const auto lastCell = [&](glm::ivec3 brick) {
+    return glm::min((brick * brickSide + brickSide - 1 + shift) / factor, dims);
+  };
+  // Most rows of the volume's bricks hold nothing of a label.
+  std::vector<std::uint8_t> rows(planeSize({focus.bricks.y, focus.bricks.z, 1}));
+  for (std::size_t row = 0, width = static_cast<std::size_t>(focus.bricks.x); row < rows.size(); ++row)
+    rows[row] = std::any_of(focus.slots.begin() + static_cast<std::ptrdiff_t>(row * width),
+                            focus.slots.begin() + static_cast<std::ptrdiff_t>((row + 1) * width),
+                            [](std::uint32_t slot) { return slot != 0; });
+  const auto holdsRow = [&](glm::ivec3 first, glm::ivec3 last) {
+    for (int z = first.z / brickSide; z <= last.z / brickSide; ++z)
+      for (int y = first.y / brickSide; y <= last.y / brickSide; ++y)
+        if (rows[brickOffset({focus.bricks.y, focus.bricks.z, 1}, {y, z, 0})]) return true;
+    return false;
+  };
   std::vector<std::uint8_t> occupied(brickOffset(bricks, {0, 0, bricks.z}), 0);
   parallelFor(static_cast<std::size_t>(bricks.z), 1, [&](std::size_t begin, std::size_t end) {
     glm::ivec3 brick;
     for (brick.z = static_cast<int>(begin); brick.z < static_cast<int>(end); ++brick.z)
-      for (brick.y = 0; brick.y < bricks.y; ++brick.y)
-        for (brick.x = 0; brick.x < bricks.x; ++brick.x) {
-          const glm::ivec3 first = glm::min((brick * brickSide + shift) / factor, dims);
-          const glm::ivec3 last = glm::min((brick * brickSide + brickSide - 1 + shift) / factor, dims);
-          occupied[brickOffset(bricks, brick)] = focus.holdsAny({first, last});
-        }
+      for (brick.y = 0; brick.y < bricks.y; ++brick.y) {
+        brick.x = 0;
+        if (!holdsRow(firstCell(brick), lastCell(brick))) continue;
+        for (; brick.x < bricks.x; ++brick.x)
+          occupied[brickOffset(bricks, brick)] = focus.holdsAny({firstCell(brick), lastCell(brick)});
+      }
   });
   return occupied;
 }

@@ -47,8 +47,12 @@ void widen(BrickRanges& bricks, const Volume& samples);
 SplineVectors gatedNormals(const Volume& volume, const SplineVolume& spline);
 /// Their coefficients, RGB10A2, zero at 511/1023, from index -1 on along each axis.
 gl::Texture makeCoefficients(const SplineVectors& normals);
-/// As makeGradientTexture(), of those normals at the refined voxels in a box of those.
-GradientTexture makeRefinedGradient(const SplineVectors& normals, int factor, const std::optional<IndexBox>& box);
+/// As makeGradientTexture(), at the refined voxels in a box of those: without its texels, which takes as long as to
+/// find the normals.
+GradientTexture refinedGradientFor(glm::ivec3 dims, int factor, const std::optional<IndexBox>& box);
+/// Fills the texels of refinedGradientFor() the same box.
+void fillRefinedGradient(GradientTexture& gradient, const SplineVectors& normals, int factor,
+                         const std::optional<IndexBox>& box);
 
 /// By brick of the refined grid: 1 where some of the focus lies in it, else 0. `dims`: of the volume.
 std::vector<std::uint8_t> refinedOccupied(const FocusIndex& focus, glm::ivec3 dims, int factor);

@@ -119,12 +119,15 @@ SplineVolume::SplineVolume(const ShownVolume& shown, Ends ends)
       size_(coefficientCount(dims_)),
       coefficients_(static_cast<std::size_t>(size_.x) * static_cast<std::size_t>(size_.y) *
                     static_cast<std::size_t>(size_.z)) {
-  const auto rowAt = [&](int y, int z) { return const_cast<double*>(row(y, z)); };
-  withValues(ShownVolume{shown.volume}, [&](auto valueAt) {
+  const Volume& volume = *shown.volume;
+  volume.voxels.visit([&](auto scalars) {
     parallelFor(static_cast<std::size_t>(dims_.z), 1, [&](std::size_t begin, std::size_t end) {
       for (int z = static_cast<int>(begin); z < static_cast<int>(end); ++z)
-        for (int y = 0; y < dims_.y; ++y)
-          for (int x = 0; x < dims_.x; ++x) rowAt(y, z)[x + 1] = valueAt({x, y, z});
+        for (int y = 0; y < dims_.y; ++y) {
+          const auto* stored = scalars.data() + volume.grid.offset({0, y, z});
+          std::transform(stored, stored + dims_.x, const_cast<double*>(row(y, z)) + 1,
+                         [&](auto scalar) { return realValue(volume, scalar); });
+        }
     });
   });
   filter(shown.reconstruction, ends);

@@ -14,7 +14,9 @@
 // The coefficients of hidden voxels become air, after the filter: near them f is then a mean of air and what is shown,
 // with non-negative weights. Filtered after the voxels were hidden, f would overshoot beside that step.
 
+#include <algorithm>
 #include <array>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -77,7 +79,14 @@ class SplineVectors {
  public:
   /// at(index) is the vector of a voxel; called from all cores.
   template <class At>
-  SplineVectors(glm::ivec3 dims, const At& at) {
+  SplineVectors(glm::ivec3 dims, const At& at)
+      : SplineVectors(dims, ByRows{}, [&](int y, int z, std::span<glm::dvec3> row) {
+          for (int x = 0; x < dims.x; ++x) row[static_cast<std::size_t>(x)] = at(glm::ivec3(x, y, z));
+        }) {}
+  /// at(y, z, row) fills the row of the vectors of y and z, x by x.
+  struct ByRows {};
+  template <class At>
+  SplineVectors(glm::ivec3 dims, ByRows, const At& at) {
     std::array<std::shared_ptr<Volume>, 3> parts;
     for (std::shared_ptr<Volume>& part : parts) {
       part = std::make_shared<Volume>();
@@ -86,16 +95,16 @@ class SplineVectors {
       part->range = {-1e30, 1e30};  // of finite vectors
     }
     parallelFor(static_cast<std::size_t>(dims.z), 1, [&](std::size_t begin, std::size_t end) {
-      glm::ivec3 index;
-      for (index.z = static_cast<int>(begin); index.z < static_cast<int>(end); ++index.z)
-        for (index.y = 0; index.y < dims.y; ++index.y)
-          for (index.x = 0; index.x < dims.x; ++index.x) {
-            const glm::dvec3 vector = at(index);
-            for (int axis = 0; axis < 3; ++axis) {
-              Volume& part = *parts[static_cast<std::size_t>(axis)];
-              part.voxels.as<float>()[part.grid.offset(index)] = static_cast<float>(vector[axis]);
-            }
+      std::vector<glm::dvec3> row(static_cast<std::size_t>(dims.x));
+      for (int z = static_cast<int>(begin); z < static_cast<int>(end); ++z)
+        for (int y = 0; y < dims.y; ++y) {
+          at(y, z, std::span(row));
+          for (int axis = 0; axis < 3; ++axis) {
+            Volume& part = *parts[static_cast<std::size_t>(axis)];
+            std::transform(row.begin(), row.end(), part.voxels.as<float>().data() + part.grid.offset({0, y, z}),
+                           [axis](const glm::dvec3& vector) { return static_cast<float>(vector[axis]); });
           }
+        }
     });
     for (std::shared_ptr<Volume>& part : parts) {
       ShownVolume shown{std::exchange(part, nullptr)};

@@ -433,6 +433,7 @@ int main(int argc, char** argv) {
   applyStyle(application);
   const GlSupport gl = probeOpenGl();
   if (!gl.available) throw std::runtime_error(gl.problem.toStdString());
+  const auto read = [options](const io::Progress& progress) { return io::readStudy(options, progress); };
   MainWindow window(
       {.gl = gl,
        .atRest = Effort{.quality = options.quality, .maxError = options.maxError},
@@ -440,7 +441,11 @@ int main(int argc, char** argv) {
        .chooseSchedule = [software = gl.software](
                              const std::shared_ptr<GpuScene>& gpu, const Scene& scene,
                              const View& view) { app::chooseScheduleQuickly({}, software, gpu, scene, view); },
-       .remember = false});
+       .remember = false,
+       .openFirst =
+           [&](MainWindow& opening) {
+             if (!beside) opening.open(read);
+           }});
   const glm::ivec2 size = options.size.value_or(glm::ivec2(1600, 1000));
   window.resize(size.x, size.y);
   Bench bench(application, window, seconds);
@@ -451,19 +456,22 @@ int main(int argc, char** argv) {
     failed = true;
   });
   window.show();
-  const auto open = [&] {
-    opened = failed = false;
-    window.open([options](const io::Progress& progress) { return io::readStudy(options, progress); });
-    while (!opened && !failed) wait(1);
-    return opened;
-  };
   if (beside) {
     std::cout << bench.beside(options).dump(2) << '\n';
     return 0;
   }
+  const auto isOpen = [&] {
+    while (!opened && !failed) wait(1);
+    return opened;
+  };
+  if (!isOpen()) return 1;
   Json result;
   for (int round = 0; round < (grow->empty() ? 1 : rounds); ++round) {
-    if (!open()) return 1;
+    if (round > 0) {
+      opened = failed = false;
+      window.open(read);
+      if (!isOpen()) return 1;
+    }
     if (onlyStart)
       result = bench.start();
     else if (scroll)

@@ -7,6 +7,7 @@
 #include <QHelpEvent>
 #include <QLabel>
 #include <QPushButton>
+#include <QSignalSpy>
 #include <QTest>
 #include <QToolTip>
 
@@ -142,6 +143,23 @@ TEST_F(BusyWindow, EachJobHasABarThatCancelsIt) {
     EXPECT_FALSE(std::filesystem::exists(copy));
     EXPECT_EQ(window_->notices().texts(), QStringList());
   }
+}
+
+TEST_F(BusyWindow, AFirstStudyIsReadWhileTheWindowIsBuilt) {
+  HeldThreads threads;
+  MainWindow window(
+      {.gl = {.problem = QStringLiteral("slices are enough here")},
+       .remember = false,
+       .openFirst = [](MainWindow& opening) { opening.open([](const io::Progress&) { return markedBall(); }); }});
+  QSignalSpy opened(&window, &MainWindow::opened);
+  window.show();
+  const auto bars = window.findChildren<LoadingBar*>();
+  const auto its = std::find_if(bars.begin(), bars.end(), [](const LoadingBar* each) { return each->isVisible(); });
+  ASSERT_NE(its, bars.end());
+  EXPECT_EQ((*its)->findChild<QLabel*>()->text(), QString::fromUtf8("Opening…"));
+  threads.release();
+  EXPECT_TRUE(opened.wait(patience));
+  EXPECT_FALSE((*its)->isVisible());
 }
 
 TEST_F(BusyWindow, AMovingPictureIsADraft) {

@@ -62,6 +62,36 @@ TEST(Pacing, PicturesThatAreSharpEvenSoComeTwentyTimesASecond) {
   EXPECT_GT(slow.moving(2).scale, FramePacer::halfScale) << "sharper at the lower rate";
 }
 
+/// After the first pictures of both views, each of so many ms.
+FramePacer firstOf(double milliseconds, Quality atRest = Quality::Normal) {
+  FramePacer pacer({.quality = atRest});
+  for (const bool leads : {true, false}) {
+    pacer.begin(pacer.moving(2, leads), 0.0);
+    pacer.drew(pacer.moving(2, leads), milliseconds);
+  }
+  return pacer;
+}
+
+TEST(Pacing, FirstPicturesOfBothViewsRunTheSamePrograms) {
+  FramePacer pacer;
+  const Effort first = pacer.moving(2, true);
+  EXPECT_EQ(first.quality, Quality::Normal);
+  pacer.begin(first, 0.0);
+  pacer.drew(first, 40.0);
+  EXPECT_EQ(pacer.moving(2, false), first);
+  pacer.drew(first, 40.0);
+  EXPECT_EQ(pacer.moving(2, true).quality, Quality::Draft);
+  EXPECT_EQ(pacer.moving(2, false).quality, Quality::Draft);
+}
+
+TEST(Pacing, NoDraftComesBeforeTheFirstPicturesAtRestUnlessTheyAreSlow) {
+  // A picture of a sixteenth of the pixels; the one at rest takes half of its time for a pixel, 600 ms at most.
+  const double most = 4.0 * FramePacer::firstAtRest / 16.0 / 0.5;
+  EXPECT_FALSE(firstOf(0.95 * most).beforeRest());
+  EXPECT_TRUE(firstOf(1.05 * most).beforeRest());
+  EXPECT_TRUE(firstOf(0.95 * most, Quality::High).beforeRest()) << "those take many times as long";
+}
+
 TEST(Pacing, ALinkedViewThatIsDrawnAloneGetsAllOfTheTime) {
   const FramePacer pacer = pacedFor(200.0);
   EXPECT_EQ(pacer.moving(1, false), pacer.moving(1, true));

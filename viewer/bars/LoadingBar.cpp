@@ -24,7 +24,8 @@ LoadingBar::LoadingBar(LoadJob& job, const QString& title, std::function<void()>
   row->addWidget(text, 1);
   row->addWidget(progress, 2);
   row->addWidget(button);
-  hide();
+  text->setText(title);
+  setVisible(job.isRunning());
 
   if (cancel)
     connect(button, &QPushButton::clicked, this, std::move(cancel));

@@ -27,6 +27,10 @@ constexpr double planned = 0.92;
 constexpr double scaleSteps = 64.0;
 constexpr double steady = 0.06;
 
+/// For a pixel, a picture at rest takes such a share of what the first pictures take, which are small (measured: 0.4 to
+/// 0.5).
+constexpr double restOfFirst = 0.5;
+
 /// Scales that give way to half the resolution, which shows more than they do. A picture of the least of them takes
 /// 0.88 of its time, which is what a frame is planned for.
 constexpr double leastForHalf = 0.47, mostForHalf = 0.578;
@@ -77,7 +81,7 @@ double FramePacer::timeForDrafts(double cost, int count) const {
 
 Effort FramePacer::moving(int count, bool leads) const {
   if (restCost_ && *restCost_ * count <= timeForPictures()) return rest_;
-  if (!draftCost_ && !restCost_) return firstEffort;
+  if (!restCost_ && (!draftCost_ || drawn_ < views)) return firstEffort;
   // Until a draft is measured, half the time of a picture at rest is a guess.
   const double cost = plannedCost_ ? *plannedCost_ : 0.5 * *restCost_;
   const double share = count == 1 || leads ? leadersShareOf(count) : 1.0 - leaderShare;
@@ -97,6 +101,9 @@ int FramePacer::framesPerFollowing() const {
 std::optional<Effort> FramePacer::beforeRest() const {
   if (!restCost_ && !draftCost_) return std::nullopt;
   if (restCost_ && *restCost_ <= 2.0 * firstAtRest) return std::nullopt;
+  // First pictures say little: a draft, whose programs are not compiled yet, would have to gain twice as much.
+  const bool isQuick = rest_.quality != Quality::High && !rest_.maxError;
+  if (!restCost_ && isQuick && *draftCost_ * restOfFirst <= 4.0 * firstAtRest) return std::nullopt;
   const double cost = draftCost_ ? *draftCost_ : 0.5 * *restCost_;
   const double scale = steppedDown(std::sqrt(firstAtRest / std::max(cost, 1e-3)));
   const Effort draft{std::max(scale, leastScale), Quality::Draft};
@@ -111,6 +118,7 @@ void FramePacer::begin(Effort effort, double now) {
 }
 
 void FramePacer::drew(Effort effort, double milliseconds, bool usual) {
+  drawn_ = std::min(drawn_ + 1, views);
   if (frame_) {
     frame_->drawing += milliseconds;
     frame_->usual &= usual;

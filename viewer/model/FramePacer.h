@@ -54,7 +54,8 @@ class FramePacer {
   void setAtRest(Quality quality, std::optional<double> maxError);
   /// The effort for the next frame of a drag that redraws so many views. The view that leads gets more of the time.
   Effort moving(int views, bool leads = true) const;
-  /// What a view draws first when it comes to rest; unset where that is the picture at full quality.
+  /// What a view draws first when it comes to rest; unset where that is the picture at full quality. Until one of those
+  /// is measured, the first pictures tell whether it takes long.
   std::optional<Effort> beforeRest() const;
 
   /// The view that the user turns: it is drawn first. A linked view follows: in every so many frames.
@@ -98,6 +99,7 @@ class FramePacer {
   std::optional<Frame> frame_;
   std::optional<Measured> last_;
   long frames_ = 0;
+  int drawn_ = 0;                    ///< pictures, counted up to the number of views
   std::optional<double> restCost_;   ///< ms per view at rest
   std::optional<double> draftCost_;  ///< ms per view for a draft of scale 1
   std::optional<double> overhead_;   ///< ms of a frame besides its pictures: overlays, putting the window together

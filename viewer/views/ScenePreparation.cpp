@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <span>
 #include <utility>
 
 #include "rendering/Renderer.h"
@@ -36,11 +37,14 @@ ChosenMethod programsOf(const Method& method) {
 
 /// A few voxels of CT with a focus of the kind; the programs that draw them also draw a patient. The software
 /// rasteriser compiles a program anew for textures of which another side is a power of two. So sides are as in most
-/// scans: slices have sides of a power of two, their number is none, and what shows reaches to no face.
-Scene sampleScene(const Focus& kind) {
-  constexpr int side = 16;
+/// scans: slices have sides of a power of two, their number is none, and what shows reaches to no face. Volumes that
+/// are drawn as splines are resampled more often: none of the sides of theirs, of their bricks and of their
+/// coefficients is a power of two.
+Scene sampleScene(const Focus& kind, Reconstruction reconstruction = Reconstruction::Linear) {
+  const bool isLinear = reconstruction == Reconstruction::Linear;
+  const int side = isLinear ? 16 : 18;
   auto volume = std::make_shared<Volume>();
-  volume->grid.dims = {side, side, side - 1};
+  volume->grid.dims = {side, side, isLinear ? side - 1 : side};
   volume->modality = Modality::CT;
   volume->voxels = Voxels(ScalarType::Int16, volume->grid.voxelCount());
   const auto values = volume->voxels.as<std::int16_t>();
@@ -53,16 +57,18 @@ Scene sampleScene(const Focus& kind) {
   volume->computeRange();
   Scene scene;
   scene.look = startingLook();
-  scene.look.reconstruction = Reconstruction::Linear;  // as most scans are drawn
+  scene.look.reconstruction = reconstruction;
   scene.volume = volume;
   if (std::holds_alternative<LabelFocus>(kind) || std::holds_alternative<RegionFocus>(kind)) {
     auto labels = std::make_shared<LabelMap>();
     labels->grid = volume->grid;
     labels->voxels = Voxels(ScalarType::UInt8, volume->grid.voxelCount());
     labels->voxels.as<std::uint8_t>()[labels->grid.offset(glm::ivec3(side / 2))] = 1;
-    labels->labels = {{1, "", {1.0, 1.0, 1.0}}};
+    labels->labels = {{1, "", {1.0, 1.0, 1.0}}, {2, "", {1.0, 0.0, 0.0}}};
     scene.labels = labels;
     scene.look.focus = LabelFocus{{1}};
+    const auto* expected = std::get_if<LabelFocus>(&kind);
+    if (expected && expected->labels.size() > 1) scene.look.focus = LabelFocus{{1, 2}};  // of two colours
   } else if (std::holds_alternative<ValueFocus>(kind)) {
     scene.look.focus = ValueFocus{{1000.0, 1500.0}};
   }
@@ -185,24 +191,41 @@ void ScenePreparation::prepareAhead(const Scene& scene, const View& view) {
   start(scene, view, kind);
 }
 
-void ScenePreparation::warmUp(const std::vector<Focus>& kinds, Quality atRest, std::optional<double> maxError) {
-  for (const Focus& focus : kinds) {
+void ScenePreparation::warmUp(const std::vector<Focus>& kinds, Quality atRest, std::optional<double> maxError,
+                              bool isRead) {
+  const auto add = [&](const Scene& scene, Quality quality, bool rests) {
+    const Camera camera = Camera::standard(StandardView::Anterior, scene.volume->grid);
+    View view{.camera = camera, .size = glm::ivec2(80), .quality = quality};
+    view.occlusion = rests;
+    if (rests) view.maxError = maxError;
+    samples_.push_back({scene, view});
+  };
+  const auto addFirst = [&](const Scene& scene) { add(scene, Quality::Normal, false); };
+  const auto addMoving = [&](const Scene& scene) { add(scene, Quality::Draft, false); };
+  const auto addLast = [&](const Scene& scene) { add(scene, atRest, true); };
+  // What most scans are drawn by comes first. Small volumes, of which many are drawn as splines, are read soonest: what
+  // they need at the start comes next.
+  const Scene expected = sampleScene(kinds.front()), spline = sampleScene(kinds.front(), Reconstruction::Smoother);
+  addFirst(expected);
+  addFirst(spline);
+  addLast(spline);
+  addLast(expected);
+  addMoving(expected);
+  addMoving(spline);
+  const std::size_t first = samples_.size();
+  for (const Focus& focus : std::span(kinds).subspan(1)) {
     const Scene scene = sampleScene(focus);
-    View view{.camera = Camera::standard(StandardView::Anterior, scene.volume->grid), .size = glm::ivec2(80)};
-    view.occlusion = false;  // the first picture, and those in motion
-    samples_.push_back({scene, view});
-    view.quality = Quality::Draft;
-    samples_.push_back({scene, view});
-    view.occlusion = true;
-    view.quality = atRest;
-    view.maxError = maxError;
-    samples_.push_back({scene, view});
+    addFirst(scene);
+    addMoving(scene);
+    addLast(scene);
   }
+  if (isRead) later_ = samples_.size() - first;
   goOn();
 }
 
 void ScenePreparation::goOn() {
-  if (glContext_.isBusy() || samples_.empty()) return;
+  if (!known_.empty()) later_ = 0;
+  if (glContext_.isBusy() || samples_.size() <= later_) return;
   isAhead_ = true;
   auto isDone = std::make_shared<bool>(false);
   glContext_.runBehind(

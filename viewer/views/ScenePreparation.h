@@ -29,8 +29,9 @@ class ScenePreparation {
   bool isReady(const Scene& scene, const View& view);
   /// Compiles for a picture that may follow, unless something else is under way or asked for meanwhile.
   void prepareAhead(const Scene& scene, const View& view);
-  /// Compiles what draws a CT with each kind of focus, the first one first, while nothing else is asked for.
-  void warmUp(const std::vector<Focus>& kinds, Quality atRest, std::optional<double> maxError);
+  /// Compiles what draws a CT with each kind of focus, the first one first, while nothing else is asked for. Where a
+  /// study `isRead` meanwhile, which needs the processor, the other kinds wait until it is drawn.
+  void warmUp(const std::vector<Focus>& kinds, Quality atRest, std::optional<double> maxError, bool isRead);
   /// Other work in the context on another thread; see GlContext. Work for a picture that may follow ends first.
   void runBehind(GlContext::Work work, GlContext::Done done);
   /// Another thread has the context, and a view waits for its work.
@@ -82,6 +83,7 @@ class ScenePreparation {
     View view;
   };
   std::deque<Sample> samples_;  ///< pictures whose programs are to be compiled
+  std::size_t later_ = 0;       ///< so many of them, the last ones, wait until a study is drawn
   bool isAhead_ = false;        ///< the background work is for a picture that is not due yet
   std::exception_ptr failure_;
   ShownVolume failed_;

@@ -99,12 +99,13 @@ std::optional<Schedule> ViewArea::schedule() const {
   return preparation_ ? std::optional(preparation_->schedule()) : std::nullopt;
 }
 
-void ViewArea::warmUp(const Focus& expected) {
+void ViewArea::warmUp(const Focus& expected, bool isRead) {
   std::vector<Focus> kinds{Focus(), LabelFocus(), ValueFocus()};
   const auto first =
       std::find_if(kinds.begin(), kinds.end(), [&](const Focus& kind) { return kind.index() == expected.index(); });
   if (first != kinds.end()) std::rotate(kinds.begin(), first, first + 1);
-  if (preparation_) preparation_->warmUp(kinds, atRest().quality, atRest().maxError);
+  if (first != kinds.end()) kinds.front() = expected;
+  if (preparation_) preparation_->warmUp(kinds, atRest().quality, atRest().maxError, isRead);
 }
 
 void ViewArea::letGo() {

@@ -37,8 +37,8 @@ class ViewArea : public QWidget {
   QWidget* activeView() const { return active_; }
   /// The schedule that the shaders of the 3-D views follow; empty without OpenGL.
   std::optional<Schedule> schedule() const;
-  /// Compiles what 3-D views will need, that for a focus of the expected kind first.
-  void warmUp(const Focus& expected);
+  /// Compiles what 3-D views will need, that for a focus of the expected kind first; see ScenePreparation.
+  void warmUp(const Focus& expected, bool isRead);
   /// Every visible view shows the scene at full quality.
   bool isSettled() const;
   /// Frees what the device holds of a study that was closed.

@@ -128,9 +128,15 @@ void VolumeView::contextFreed() {
 void VolumeView::drawPrepared() {
   isPreparedDue_ = false;
   const Scene scene = shownScene(), held = shared_.preparation->held(scene);
+  const bool isFirst = !hasPicture();
   draw(held);
-  if (isNew_) repaintSurface();
-  if (held == scene || !isNew_) return;
+  if (!isNew_) return;
+  repaintSurface();
+  if (isFirst) {  // at once: the other view draws in the next event
+    surface_->widget().repaint();
+    surface_->tellShown();
+  }
+  if (held == scene) return;
   settled_ = false;
   due_ = Due::Motion;
   rest_.start(restMilliseconds);
@@ -259,8 +265,9 @@ void VolumeView::refined(Effort effort) {
     stopRefining();
     settled_ = true;
     attemptOnPicture([this] { reportStarts(); });
-    // Compile ahead, so that the first frame of a drag need not wait for its programs.
-    if (const Effort moving = pacer.moving(ViewLink::count); moving != effort)
+    // Compile ahead, so that the first frame of a drag need not wait for its programs. A view that is still to be
+    // refined would have to wait for that.
+    if (const Effort moving = pacer.moving(ViewLink::count); moving != effort && pacer.mayRefine(index_))
       shared_.preparation->prepareAhead(shownScene(), viewFor(moving));
   }
   repaintSurface();
