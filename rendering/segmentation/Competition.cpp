@@ -164,6 +164,7 @@ bool Competition::decide(FirstRegion& region, std::span<const glm::ivec3> outsid
   if (tube && std::ranges::none_of(outside, [&](glm::ivec3 seed) { return holds(*tube, seed); })) {
     region.joins = allOf(tube->box, tube->joins);
     region.curve = curveOf(region.joins, region.costs, region.noise);
+    if (volume_.isInHounsfieldUnits()) region.curve.flatness = tube->aspect;  // measured in CT alone
     region.isBone = false;
     region.isTube = true;
     clearest = ClearestStep{tubeLevel + 1};
@@ -175,10 +176,7 @@ bool Competition::decide(FirstRegion& region, std::span<const glm::ivec3> outsid
     region.isWalk = true;
     clearest = ClearestStep{walk->step};
   }
-  if (region.isBone) {
-    region.rim = dropRim(region.joins, clearest->step, region.noise);
-    region.curve = curveOf(region.joins, region);
-  }
+  if (region.isBone) endAtRim(region, clearest->step, prior);
   if (clearest) beginWith(region.curve, clearest->step);
   if (clearest && !region.isBone && !region.isTube && !region.isWalk)
     compareWith(std::span(curves).first(2), prior, region);  // a bone is no rival of soft tissue
@@ -229,6 +227,15 @@ std::optional<TubeRegion> Competition::clearerTube(glm::ivec3 seed, const FirstR
   const auto own = clearestStep(curve, prior, volume_.grid);
   if (!own || (other && own->clarity <= other->clarity + handicapOf(*tube))) return std::nullopt;
   return region;
+}
+
+void Competition::endAtRim(FirstRegion& region, int step, const StructurePrior& prior) const {
+  const double clarity = clarityAt(region.curve, step, prior, volume_.grid);
+  const double volume = region.curve.volume[static_cast<std::size_t>(step)];
+  const double beyond = clarityBeyond(region.curve, volume, prior, volume_.grid);
+  region.rim = dropRim(region.joins, step, region.noise);
+  region.curve = curveOf(region.joins, region);
+  if (volume_.isInHounsfieldUnits()) region.curve.boneLead = clarity - beyond;  // measured there alone
 }
 
 std::vector<RimVoxel> Competition::dropRim(std::vector<Level>& joins, int step, const Noise& noise) const {

@@ -73,6 +73,8 @@ class Competition {
   /// None beside bones and tubes, in a ball, and in Hounsfield units.
   std::optional<WalkRegion> clearerWalk(const FirstRegion& region, const StructurePrior& prior,
                                         const std::optional<ClearestStep>& other) const;
+  /// Drops a bone's rim, and sets GrowthCurve::boneLead.
+  void endAtRim(FirstRegion& region, int step, const StructurePrior& prior) const;
   /// Takes from a bone what its rim holds less than half of.
   std::vector<RimVoxel> dropRim(std::vector<Level>& joins, int step, const Noise& noise) const;
   /// The levels of a box for all voxels of the volume.

@@ -292,10 +292,17 @@ double clarityAt(const GrowthCurve& curve, int step, const StructurePrior& prior
 
 double clarityBeside(const GrowthCurve& curve, double volume, const StructurePrior& prior, const Grid& grid) {
   const std::vector<double> clarities = structureClarity(curve, prior, grid);
+  double greatest = clarityBeyond(curve, volume, prior, grid);
+  for (std::size_t step = 1; step < clarities.size(); ++step)
+    if (2.0 * curve.volume[step] <= volume) greatest = std::max(greatest, clarities[step]);
+  return greatest;
+}
+
+double clarityBeyond(const GrowthCurve& curve, double volume, const StructurePrior& prior, const Grid& grid) {
+  const std::vector<double> clarities = structureClarity(curve, prior, grid);
   double greatest = noClarity;
   for (std::size_t step = 1; step < clarities.size(); ++step)
-    if (2.0 * curve.volume[step] <= volume || curve.volume[step] >= 2.0 * volume)
-      greatest = std::max(greatest, clarities[step]);
+    if (curve.volume[step] >= 2.0 * volume) greatest = std::max(greatest, clarities[step]);
   return greatest;
 }
 

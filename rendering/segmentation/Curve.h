@@ -46,7 +46,10 @@ struct GrowthCurve {
   /// The clarity of the region at `automatic`, where it has won over others at a click, less that of the clearest one
   /// that is at most half or at least twice as large.
   double lead = std::numeric_limits<double>::infinity();
-  double sprawl = 1.0;  ///< of that region: RegionShape::thickening over its compactness
+  /// As `lead`, of a bone, beside what is at least twice as large: its neighbours with it, across their joints.
+  double boneLead = std::numeric_limits<double>::infinity();
+  double sprawl = 1.0;    ///< of that region: RegionShape::thickening over its compactness
+  double flatness = 1.0;  ///< of that region, where it is a tube: Tube::aspect
 };
 
 /// `joins` and `costs` hold a box of `dims`: the level at which a voxel joins (or `never`), and its own cost.
@@ -86,6 +89,8 @@ double clarityAt(const GrowthCurve& curve, int step, const StructurePrior& prior
 /// The greatest clarity of the regions that are at most half or at least twice as large as `volume` mm³; -inf without
 /// one.
 double clarityBeside(const GrowthCurve& curve, double volume, const StructurePrior& prior, const Grid& grid);
+/// That of those at least twice as large.
+double clarityBeyond(const GrowthCurve& curve, double volume, const StructurePrior& prior, const Grid& grid);
 
 /// Begins with `step`, which becomes a plateau where it is none.
 void beginWith(GrowthCurve& curve, int step);

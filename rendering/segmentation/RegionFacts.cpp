@@ -36,6 +36,8 @@ constexpr double muchOfBody = 0.01;
 constexpr double leastLead = 0.35;   ///< of GrowthCurve: with less, another region is nearly as clear …
 constexpr double rivalShare = 0.02;  ///< … which tells of a leak where a region is more of the body than most organs
 constexpr double mostSprawl = 4.4;   ///< of GrowthCurve
+constexpr double leastBoneLead = -0.55;  ///< of GrowthCurve: with less, it is a piece of a bone, or several of them
+constexpr double mostFlatness = 1.5;     ///< of GrowthCurve: an artery beside its vein is a tube twice as wide as thick
 
 double volumeAt(const Growth& growth, int step) { return growth.curve.volume[static_cast<std::size_t>(step)]; }
 
@@ -151,11 +153,13 @@ RegionFacts GrowthFacts::at(const Growth& growth, int step) const {
   const bool isMuch = shareOfBody(growth, step).value_or(0.0) > muchOfBody;
   facts.isPassing = stepsAlike(growth, step) < (isMuch ? leastStepsOfMuch : leastSteps);
   if (step == growth.curve.automatic) {
-    facts.isRivalled = shareOfBody(growth, step).value_or(0.0) > rivalShare && growth.curve.lead < leastLead;
+    facts.isRivalled = (shareOfBody(growth, step).value_or(0.0) > rivalShare && growth.curve.lead < leastLead) ||
+                       growth.curve.boneLead < leastBoneLead;
     facts.sprawls = growth.curve.sprawl > mostSprawl;
+    facts.isFlat = growth.curve.flatness > mostFlatness;
   }
-  facts.border =
-      facts.isPassing || facts.isRivalled || facts.sprawls ? Border::Doubtful : borderAt(growth, step, contrast);
+  const bool isDoubtful = facts.isPassing || facts.isRivalled || facts.sprawls || facts.isFlat;
+  facts.border = isDoubtful ? Border::Doubtful : borderAt(growth, step, contrast);
   facts.leak = leakAfter(growth, step);
   return facts;
 }

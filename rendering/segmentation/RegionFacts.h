@@ -22,8 +22,9 @@ bool isAir(const Volume& volume, glm::ivec3 voxel);
 /// `Fair` on one of the two. A ragged region needs a stronger edge. A region that nearly any other tolerance makes half
 /// as large again or less than that is doubtful, however strong its edge is: it is a stage of a leak. So is one of more
 /// than a hundredth of the body that half an octave of tolerance changes as much, or that is hardly clearer than
-/// another region at the click, and one that goes on from a thin part at the click into thicker ones. Nothing opens to
-/// a doubtful region by itself.
+/// another region at the click, and one that goes on from a thin part at the click into thicker ones. A tube is
+/// doubtful where it is flat, a bone where its neighbours with it are much clearer. Nothing opens to a doubtful region
+/// by itself.
 enum class Border : std::uint8_t { Doubtful, Fair, Clear };
 
 struct RegionFacts {
@@ -34,6 +35,7 @@ struct RegionFacts {
   bool isPassing = false;              ///< nearly any other tolerance makes it half as large again, or less than that
   bool isRivalled = false;             ///< another region at the click, of another size, is nearly as clear
   bool sprawls = false;                ///< it goes on from a thin part at the click into thicker ones
+  bool isFlat = false;                 ///< it is a tube that is no round vessel, but wide and thin
   /// The next cliff of the curve.
   struct Leak {
     double tolerance = 0.0;   ///< real values: the least that leaks

@@ -81,6 +81,25 @@ glm::dvec3 TubeSection::middle() const {
   return centre + sum.x * right + sum.y * up;
 }
 
+double TubeSection::aspect() const {
+  double twice = 0.0;
+  glm::dvec2 first(0.0);
+  glm::dmat2 second(0.0);
+  for (int ray = 0; ray < rayCount; ++ray) {
+    const glm::dvec2 a = onRay(ray, wall[static_cast<std::size_t>(ray)]);
+    const glm::dvec2 b = onRay(ray + 1, wall[static_cast<std::size_t>((ray + 1) % rayCount)]);
+    const double cross = a.x * b.y - b.x * a.y;
+    twice += cross;
+    first += (a + b) * cross;
+    second += (glm::outerProduct(a, a) + glm::outerProduct(b, b) + glm::outerProduct(a + b, a + b)) * cross;
+  }
+  first /= 3.0 * twice;
+  second = second / (12.0 * twice) - glm::outerProduct(first, first);
+  const double mean = 0.5 * (second[0][0] + second[1][1]);
+  const double apart = std::hypot(0.5 * (second[0][0] - second[1][1]), second[0][1]);
+  return std::sqrt((mean + apart) / (mean - apart));
+}
+
 TubeSection::Radii TubeSection::contourFrom(glm::dvec3 point) const {
   const glm::dvec2 away(glm::dot(point - centre, right), glm::dot(point - centre, up));
   Radii radii;

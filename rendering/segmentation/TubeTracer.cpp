@@ -143,13 +143,18 @@ class Tracer {
     tube.sections.push_back(start);
     tube.sections.insert(tube.sections.end(), ahead.begin(), ahead.end());
     const auto count = static_cast<double>(tube.sections.size());
+    std::vector<double> aspects;
     for (std::size_t i = 0; i < tube.sections.size(); ++i) {
       const TubeSection& each = tube.sections[i];
       tube.radius += each.radius() / count;
       tube.rise += each.rise / count;
       tube.support += each.support / count;
+      aspects.push_back(each.aspect());
       if (i > 0) tube.length += glm::length(each.centre - tube.sections[i - 1].centre);
     }
+    const auto middle = aspects.begin() + static_cast<std::ptrdiff_t>(aspects.size() / 2);
+    std::nth_element(aspects.begin(), middle, aspects.end());
+    tube.aspect = *middle;
     return tube;
   }
 
@@ -241,7 +246,7 @@ TubeRegion tubeRegion(const Volume& volume, const Tube& tube) {
     boxes.push_back(
         VoxelBox{glm::ivec3(glm::floor(middle - extent)), glm::ivec3(glm::ceil(middle + extent)) + 1}.clippedTo(whole));
   }
-  TubeRegion region{boxes.front(), {}};
+  TubeRegion region{boxes.front(), {}, tube.aspect};
   for (const VoxelBox& box : boxes)
     region.box = {glm::min(region.box.low, box.low), glm::max(region.box.high, box.high)};
   region.joins.assign(region.box.count(), never);

@@ -26,6 +26,7 @@ struct Tube {
   double radius = 0.0;    ///< mm, mean
   double rise = 0.0;      ///< mean of TubeSection::rise
   double support = 0.0;   ///< mean of TubeSection::support
+  double aspect = 1.0;    ///< median of TubeSection::aspect()
 
   double diameters() const { return (length + radius) / (2.0 * radius); }  ///< how often its width its length holds
 };
@@ -40,6 +41,7 @@ struct TubeRegion {
   /// By voxel of the box: `tubeLevel` at the wall, less within, the deeper the less, and more outside, up to half a
   /// radius away. A tolerance makes the tube thinner and thicker.
   std::vector<Level> joins;
+  double aspect = 1.0;  ///< Tube::aspect
 };
 inline constexpr Level tubeLevel = 64;
 TubeRegion tubeRegion(const Volume& volume, const Tube& tube);

@@ -1286,6 +1286,10 @@
         <translation>Sie ist zweifelhaft: sie breitet sich von einem dünnen Teil beim Klick in einen dickeren aus. Prüfen Sie ihren Umriss auf den Schichten.</translation>
     </message>
     <message>
+        <source>It is doubtful: it is a flat tube, as two vessels side by side are. Check its outline on the slices.</source>
+        <translation>Sie ist zweifelhaft: sie ist eine flache Röhre, wie zwei Gefäße nebeneinander. Prüfen Sie ihren Umriss auf den Schichten.</translation>
+    </message>
+    <message>
         <source>It is doubtful: values change by only %1 along its border. Check its outline on the slices.</source>
         <translation>Sie ist zweifelhaft: an ihrer Grenze ändern sich die Werte nur um %1. Prüfen Sie ihren Umriss auf den Schichten.</translation>
     </message>

@@ -1286,6 +1286,10 @@
         <translation>Es dudosa: se extiende desde una parte delgada donde se hizo clic a otra más gruesa. Compruebe su contorno en los cortes.</translation>
     </message>
     <message>
+        <source>It is doubtful: it is a flat tube, as two vessels side by side are. Check its outline on the slices.</source>
+        <translation>Es dudosa: es un tubo aplanado, como dos vasos uno junto al otro. Compruebe su contorno en los cortes.</translation>
+    </message>
+    <message>
         <source>It is doubtful: values change by only %1 along its border. Check its outline on the slices.</source>
         <translation>Es dudosa: en su límite los valores cambian solo en %1. Compruebe su contorno en los cortes.</translation>
     </message>

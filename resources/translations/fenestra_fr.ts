@@ -1286,6 +1286,10 @@
         <translation>Elle est douteuse&#xa0;: elle s&apos;étend d&apos;une partie mince, à l&apos;endroit du clic, à une plus épaisse. Vérifiez son contour sur les coupes.</translation>
     </message>
     <message>
+        <source>It is doubtful: it is a flat tube, as two vessels side by side are. Check its outline on the slices.</source>
+        <translation>Elle est douteuse&#xa0;: c&apos;est un tube aplati, comme deux vaisseaux côte à côte. Vérifiez son contour sur les coupes.</translation>
+    </message>
+    <message>
         <source>It is doubtful: values change by only %1 along its border. Check its outline on the slices.</source>
         <translation>Elle est douteuse&#xa0;: à sa limite, les valeurs ne changent que de %1. Vérifiez son contour sur les coupes.</translation>
     </message>

@@ -1286,6 +1286,10 @@
         <translation>结果存疑：它从点击处的薄部分扩展到了更厚的部分。请在层面上检查其轮廓。</translation>
     </message>
     <message>
+        <source>It is doubtful: it is a flat tube, as two vessels side by side are. Check its outline on the slices.</source>
+        <translation>结果存疑：它是一条扁平的管状结构，如同两条并行的血管。请在层面上检查其轮廓。</translation>
+    </message>
+    <message>
         <source>It is doubtful: values change by only %1 along its border. Check its outline on the slices.</source>
         <translation>结果存疑：边界处数值仅变化 %1。请在层面上检查其轮廓。</translation>
     </message>

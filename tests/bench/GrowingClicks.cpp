@@ -6,6 +6,7 @@
 #include <optional>
 #include <random>
 
+#include "rendering/segmentation/RegionFacts.h"
 #include "rendering/segmentation/RegionGrowing.h"
 #include "tests/bench/GrowingTruths.h"
 
@@ -17,7 +18,7 @@ void writeClicks(const std::filesystem::path& folder, const std::vector<std::str
                  const Variant& variant) {
   std::filesystem::create_directories(folder);
   std::ofstream lines(folder / "growing-clicks.tsv");
-  lines << "structure\ttuned\tseed\tvalue\tDice\tml\ttrue ml\tleaks\n";
+  lines << "structure\ttuned\tseed\tvalue\tDice\tml\ttrue ml\tleaks\tdoubtful\n";
   const bool isChanged = variant.noise > 0.0 || variant.slices > 1;
   std::string image;
   LabelledVolume data;  // of `image`
@@ -43,11 +44,13 @@ void writeClicks(const std::filesystem::path& folder, const std::vector<std::str
       settings.rule = RegionRule::Tissues;
       const Growth growth = *growRegion(volume, settings, whole, {}, data.memory);
       const Mask region = maskAt(growth, growth.curve.automatic);
+      const RegionFacts facts = GrowthFacts(volume, growth).at(growth, growth.curve.automatic);
       const glm::ivec3 at = whole.at(seed);
       dices.push_back(diceOf(region, truth));
       lines << structure.name << '\t' << (structure.tuned ? "*" : "") << '\t' << at.x << ' ' << at.y << ' ' << at.z
             << '\t' << volume.value(at) << '\t' << dices.back() << '\t' << volumeOf(region) / 1000.0 << '\t'
-            << volumeOf(truth) / 1000.0 << '\t' << isLeak(volumeOf(region), truth, growth.bodyVolume) << std::endl;
+            << volumeOf(truth) / 1000.0 << '\t' << isLeak(volumeOf(region), truth, growth.bodyVolume) << '\t'
+            << (facts.border == Border::Doubtful) << std::endl;
     }
     std::cerr << structure.name << ": " << median(dices) << std::endl;
   }

@@ -123,6 +123,17 @@ TEST(BoneTree, BloodWithContrastAgentIsTooEvenForBone) {
   EXPECT_TRUE(bones->isBone(*joint, *bones->joinsOf(glm::ivec3(left)), BoneTree::lastStep()));
 }
 
+TEST(BoneTree, AClickComparesABoneWithItsNeighbours) {
+  const auto leadIn = [](auto valueAt) {
+    const glm::dvec3 seed(jointGrid.worldFromIndex() * glm::dvec4(left, 1.0));
+    const RegionFocus click{{seed}, {}, {}, {}, RegionRule::Tissues};
+    const std::shared_ptr<Volume> volume = ctOf(jointGrid, valueAt);
+    return growRegion(*volume, click, wholeOf(jointGrid.dims))->curve.boneLead;
+  };
+  EXPECT_TRUE(std::isfinite(leadIn(jointValue)));
+  EXPECT_FALSE(std::isfinite(leadIn([](glm::ivec3 at) { return at.x <= 31 ? jointValue(at) : muscle; })));
+}
+
 TEST(BoneTree, AClickInMarrowTakesItsBoneAlone) {
   const std::shared_ptr<Volume> volume = ctOf(jointGrid, jointValue);
   const glm::dvec3 seed(jointGrid.worldFromIndex() * glm::dvec4(left, 1.0));

@@ -132,6 +132,8 @@ TEST(ClearestStep, ComparesWithRegionsOfOtherSizes) {
   EXPECT_DOUBLE_EQ(clarityBeside(curve, 9000.0, prior, grid), clarityAt(curve, 60, prior, grid))
       << "5 and 12 ml are as large as 9 by and large";
   EXPECT_DOUBLE_EQ(clarityBeside(curve, 2e4, prior, grid), clarityAt(curve, 10, prior, grid));
+  EXPECT_DOUBLE_EQ(clarityBeyond(curve, 9000.0, prior, grid), clarityAt(curve, 60, prior, grid));
+  EXPECT_EQ(clarityBeyond(curve, 2e4, prior, grid), -std::numeric_limits<double>::infinity()) << "5 ml are no larger";
   EXPECT_GT(clarityAt(curve, 10, prior, grid), clarityAt(curve, 30, prior, grid));
   EXPECT_EQ(clarityAt(curve, 80, prior, grid), -std::numeric_limits<double>::infinity()) << "no structure";
 }

@@ -98,5 +98,25 @@ TEST(RegionFacts, ARegionThatSpreadsFromAThinPartIsDoubtful) {
   EXPECT_FALSE(factsAt(growth, step + 1).sprawls) << "another tolerance is the user's own";
 }
 
+TEST(RegionFacts, ABoneIsDoubtfulWhereItsNeighboursWithItAreMuchClearer) {
+  Growth growth = growthOf(1.01);
+  growth.curve.boneLead = -0.5;
+  EXPECT_EQ(factsAt(growth, step).border, Border::Clear);
+  growth.curve.boneLead = -0.6;
+  EXPECT_TRUE(factsAt(growth, step).isRivalled);
+  EXPECT_EQ(factsAt(growth, step).border, Border::Doubtful);
+  EXPECT_FALSE(factsAt(growth, step + 1).isRivalled) << "another tolerance is the user's own";
+}
+
+TEST(RegionFacts, AFlatTubeIsDoubtful) {
+  Growth growth = growthOf(1.01);
+  growth.curve.flatness = 1.4;
+  EXPECT_EQ(factsAt(growth, step).border, Border::Clear);
+  growth.curve.flatness = 1.6;
+  EXPECT_TRUE(factsAt(growth, step).isFlat);
+  EXPECT_EQ(factsAt(growth, step).border, Border::Doubtful);
+  EXPECT_FALSE(factsAt(growth, step + 1).isFlat) << "another tolerance is the user's own";
+}
+
 }  // namespace
 }  // namespace fenestra::segmentation::regionFactsTest

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <random>
 
 #include <gtest/gtest.h>
@@ -70,6 +71,24 @@ double diceOf(const Mask& mask, InsideAt insideAt) {
     sum += (holds ? 1.0 : 0.0) + (inside ? 1.0 : 0.0);
   });
   return both / sum;
+}
+
+TEST(TubeSection, AspectIsOfTheAxesWhereverTheMiddleIs) {
+  const auto aspectOf = [](double wide, double thick, double offset) {
+    TubeSection section;
+    for (std::size_t ray = 0; ray < TubeSection::rays; ++ray) {
+      // From a point beside the middle of an ellipse, to its wall.
+      const double turn = 2.0 * std::numbers::pi * static_cast<double>(ray) / TubeSection::rays;
+      const double x = std::cos(turn) / wide, y = std::sin(turn) / thick, from = offset / wide;
+      const double square = x * x + y * y, product = x * from;
+      section.wall[ray] = (std::sqrt(product * product - square * (from * from - 1.0)) - product) / square;
+    }
+    return section.aspect();
+  };
+  EXPECT_NEAR(aspectOf(5.0, 5.0, 0.0), 1.0, 0.01);
+  EXPECT_NEAR(aspectOf(5.0, 5.0, 2.0), 1.0, 0.05);
+  EXPECT_NEAR(aspectOf(8.0, 4.0, 0.0), 2.0, 0.05);
+  EXPECT_NEAR(aspectOf(4.0, 8.0, 1.0), 2.0, 0.05);
 }
 
 TEST(SectionFinder, GoesStraightOnWhereTheTubeTouchesItsOwnDensity) {
@@ -150,6 +169,21 @@ TEST(RegionByTube, TheToleranceMakesItThinnerAndThicker) {
   EXPECT_NEAR(sizes[own / 2] / sizes[own], 0.25, 0.1) << "half the radius";
   EXPECT_GT(sizes[own + own / 3], 1.3 * sizes[own]);
   EXPECT_LT(sizes.back(), 3.0 * sizes[own]);
+}
+
+TEST(RegionByTube, SaysHowFlatItIsInCt) {
+  // Two vessels beside each other, which no wall parts.
+  const auto inPair = [](glm::ivec3 at) {
+    const double away = std::hypot(at.x - 4.0, at.y - 4.0) - 60.0;
+    return std::hypot(away / 8.0, (at.z - 34.0) / 4.0) <= 1.0;
+  };
+  const std::shared_ptr<Volume> pair = ctOf(bendGrid, [&](glm::ivec3 at) { return inPair(at) || inBlock(at); });
+  const GrowthMemory memory;
+  const auto growth = growRegion(*pair, clickAt(bendGrid, inBendAt(0.8)), wholeOf(bendGrid.dims), {}, memory);
+  ASSERT_TRUE(memory.first()->isTube);
+  EXPECT_GT(growth->curve.flatness, 1.5);
+  const std::shared_ptr<Volume> one = ctOf(bendGrid, inEither);
+  EXPECT_LT(traceTube(*one, noiseOf(*one), glm::ivec3(inBendAt(0.8)))->aspect, 1.25);
 }
 
 TEST(RegionByTube, CorrectionsCutItAndGoOn) {

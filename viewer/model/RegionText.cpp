@@ -45,6 +45,9 @@ QString borderSentence(const RegionFacts& facts, const QString& unit) {
         return RegionWords::tr(
             "It is doubtful: it spreads from a thin part at the click into a thicker one. Check its outline on the "
             "slices.");
+      if (facts.isFlat)
+        return RegionWords::tr(
+            "It is doubtful: it is a flat tube, as two vessels side by side are. Check its outline on the slices.");
       return RegionWords::tr(
                  "It is doubtful: values change by only %1 along its border. Check its outline on the slices.")
           .arg(step);
