@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "rendering/segmentation/Morphology.h"
@@ -93,11 +94,12 @@ double TubeSection::aspect() const {
     first += (a + b) * cross;
     second += (glm::outerProduct(a, a) + glm::outerProduct(b, b) + glm::outerProduct(a + b, a + b)) * cross;
   }
+  if (!(twice > 0.0)) return std::numeric_limits<double>::infinity();
   first /= 3.0 * twice;
   second = second / (12.0 * twice) - glm::outerProduct(first, first);
   const double mean = 0.5 * (second[0][0] + second[1][1]);
   const double apart = std::hypot(0.5 * (second[0][0] - second[1][1]), second[0][1]);
-  return std::sqrt((mean + apart) / (mean - apart));
+  return mean > apart ? std::sqrt((mean + apart) / (mean - apart)) : std::numeric_limits<double>::infinity();
 }
 
 TubeSection::Radii TubeSection::contourFrom(glm::dvec3 point) const {
