@@ -110,9 +110,10 @@ TEST_F(BrushWindow, UndoAndRedoBringBackTheBits) {
 
 TEST_F(BrushWindow, PaintingIsDrawnAtFullQualityAtOnce) {
   brush().setActive(true);
-  // Beside other programs a picture may take long, and a smaller one then comes before the next: not three times.
-  bool isAtOnce = false;
-  for (int stroke = 0; stroke < 3 && !isAtOnce; ++stroke) {
+  // Where pictures at rest have been slow, as beside other programs, the pacer draws a smaller one first: paint again.
+  bool isQuick = false;
+  for (int stroke = 0; stroke < 3 && !isQuick; ++stroke) {
+    isQuick = !views().pacer().beforeRest();
     QTest::mousePress(volume(0), Qt::LeftButton, {}, besideMarker(0));
     ASSERT_FALSE(document().strokes().empty());
     EXPECT_FALSE(volume(0)->isSettled());
@@ -120,11 +121,13 @@ TEST_F(BrushWindow, PaintingIsDrawnAtFullQualityAtOnce) {
     const long frames = views().pacer().frames();
     ASSERT_TRUE(settled.wait(patience));
     EXPECT_TRUE(volume(0)->isSettled());
-    isAtOnce = views().pacer().frames() == frames;
+    if (isQuick) {
+      EXPECT_EQ(views().pacer().frames(), frames) << "no smaller picture comes first";
+    }
     QTest::mouseRelease(volume(0), Qt::LeftButton, {}, besideMarker(0));
     waitUntilDrawn();
   }
-  EXPECT_TRUE(isAtOnce) << "no smaller picture comes first";
+  EXPECT_TRUE(isQuick);
   brush().setActive(false);
   waitUntilDrawn();
 }
