@@ -53,8 +53,8 @@ class MainWindow : public QMainWindow {
     std::optional<Focus> expected = {};
     ChooseSchedule chooseSchedule = {};  ///< unset: the renderer's name decides
     bool remember = true;                ///< restore and save layout, recent files and `atRest`
-    /// Opens the first study, by open() or sessions(), while the rest of the window is built: what it is read from
-    /// takes as long. No event is handled until then.
+    /// Opens the first study, by open() or sessions(). Another thread reads it while this one builds the rest of the
+    /// window; it is shown once events are handled.
     std::function<void(MainWindow&)> openFirst = {};
     MainWindow* first = nullptr;  ///< this window is for a study beside that one's, which owns it
   };

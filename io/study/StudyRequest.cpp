@@ -58,7 +58,7 @@ StudyRequest requestOfSession(const std::filesystem::path& file) {
 Focus expectedFocus(const StudyRequest& request) {
   if (request.focusRange) return ValueFocus();
   const bool labelled = !request.focusLabels.empty() || !request.region.empty() || !request.phantom.empty();
-  if (request.focusLabels.size() > 1) return LabelFocus{{1, 2}};
+  if (request.focusLabels.size() > 1) return LabelFocus{{1, 2}};  // several labels have programs of their own
   return labelled ? Focus(LabelFocus()) : Focus();
 }
 

@@ -47,10 +47,10 @@ void widen(BrickRanges& bricks, const Volume& samples);
 SplineVectors gatedNormals(const Volume& volume, const SplineVolume& spline);
 /// Their coefficients, RGB10A2, zero at 511/1023, from index -1 on along each axis.
 gl::Texture makeCoefficients(const SplineVectors& normals);
-/// As makeGradientTexture(), at the refined voxels in a box of those: without its texels, which takes as long as to
-/// find the normals.
+/// A texture for the normals at the refined voxels in a box of those, placed as by makeGradientTexture(), without
+/// texels. To allocate it takes as long as to find the normals, so that both are done at once.
 GradientTexture refinedGradientFor(glm::ivec3 dims, int factor, const std::optional<IndexBox>& box);
-/// Fills the texels of refinedGradientFor() the same box.
+/// Fills the texture that refinedGradientFor() made for the same factor and box.
 void fillRefinedGradient(GradientTexture& gradient, const SplineVectors& normals, int factor,
                          const std::optional<IndexBox>& box);
 

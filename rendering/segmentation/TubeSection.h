@@ -37,7 +37,8 @@ struct TubeSection {
   double area() const;    ///< mm²
   double radius() const;  ///< of the circle of that area
   glm::dvec3 middle() const;
-  /// The long axis of what the wall encloses over its short one, by second moments: 1 of a circle, infinite of a line.
+  /// The long axis of what the wall encloses over its short one, from its second moments (Green's
+  /// theorem): 1 of a circle, infinite of a line.
   double aspect() const;
   /// The contour as seen from another point of the plane, nearby.
   Radii contourFrom(glm::dvec3 point) const;

@@ -42,7 +42,7 @@ void Document::close() {
 }
 
 void Document::reportAll() {
-  // Who hears of the volume looks at the measures, and those of the study before are in no volume any more.
+  // Listeners look measures up in the new volume, so those of the study before go first.
   measures_.clear();
   measured_.clear();
   Q_EMIT volumeChanged();
